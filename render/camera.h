@@ -1,0 +1,45 @@
+// Cameras turn film positions into rays.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "materials/parameters.h"
+#include "render/transform.h"
+#include "render/world.h"
+#include "spectral/support/registry.h"
+
+namespace karat {
+
+class Camera {
+ public:
+  virtual ~Camera() = default;
+
+  // `film` in pixels from the upper left corner of the whole image, `lens` in [0, 1)^2. Every ray
+  // carries radiance with weight 1 (no vignetting, no cos^4: an ideal sensor).
+  virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
+
+  // Where a scene point lands on the film (pixels), through the given lens point, with the
+  // importance per unit solid angle and the direction from `point` to the lens; false when outside.
+  // For transport from the lights.
+  struct Receive {
+    Vec2 film;
+    Vec3 direction;
+    float distance;
+    float importance;
+  };
+  virtual bool receive(Vec3 point, Vec2 lens, Receive& result) const = 0;
+};
+
+// One source file per camera (render/cameras/), ending in KARAT_REGISTER(CameraType, "perspective", ...).
+class CameraType {
+ public:
+  virtual ~CameraType() = default;
+  virtual std::string description() const = 0;
+  virtual std::vector<ParameterInfo> parameters() const = 0;
+  virtual std::unique_ptr<const Camera> create(const Parameters& parameters, int width,
+                                               int height) const = 0;
+};
+
+}  // namespace karat

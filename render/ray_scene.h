@@ -1,0 +1,61 @@
+// The only file that knows Embree: geometry in, nearest hits and occlusion out. Compiles against
+// Embree 3.13 and 4. Rays are plain numbers; nothing of Karat crosses this interface.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace karat {
+
+struct EmbreeRay {
+  float origin[3];
+  float direction[3];  // unit, so that distances are lengths
+  float tnear = 0.0f;
+  float tfar = std::numeric_limits<float>::infinity();
+};
+
+struct EmbreeHit {
+  float distance;
+  float normal[3];  // geometric, not unit, in the coordinates of the hit geometry's own scene
+  float u, v;
+  std::uint32_t geometry;  // as returned by add_*
+  std::uint32_t primitive;
+  std::uint32_t instance;  // as returned by add_instance, or kNoInstance
+};
+
+inline constexpr std::uint32_t kNoInstance = 0xffffffffu;
+
+class RayScene {
+ public:
+  RayScene();
+  ~RayScene();
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+
+  // Buffers are copied. Each returns the geometry's number, counted from 0.
+  std::uint32_t add_triangles(const float* positions, std::size_t vertices,
+                              const std::uint32_t* indices, std::size_t triangles);
+  std::uint32_t add_quads(const float* positions, std::size_t vertices,
+                          const std::uint32_t* indices, std::size_t quads);
+  std::uint32_t add_sphere(const float center[3], float radius);
+  std::uint32_t add_disk(const float center[3], const float normal[3], float radius);
+  // `transform`: 3x4 column-major, local to world. `scene` must be committed and outlive this one.
+  std::uint32_t add_instance(const RayScene& scene, const float transform[12]);
+
+  // Builds the acceleration structure; nothing can be traced before. Throws RuntimeError when Embree
+  // reports an error (out of memory).
+  void commit();
+
+  bool intersect(const EmbreeRay& ray, EmbreeHit& hit) const;
+  bool occluded(const EmbreeRay& ray) const;
+
+  // Bounding box of everything, {lower xyz, upper xyz}.
+  void bounds(float lower[3], float upper[3]) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace karat

@@ -1,0 +1,47 @@
+// Random numbers addressed by (pixel, sample, dimension): the same for any order of rendering.
+//
+// A vertex's numbers are made together, in lanes: eight dimensions of Owen-scrambled Sobol cost
+// about as much as one.
+#pragma once
+
+#include <cstdint>
+
+#include "materials/vector.h"
+
+namespace karat {
+
+enum class SamplerKind { kSobol, kIndependent };
+
+struct CameraNumbers {
+  Vec2 pixel, lens;
+  float phase, hero;
+};
+
+struct VertexNumbers {
+  Vec2 bsdf;
+  Vec2 light;
+  float lobe, light_choice, roulette;
+};
+
+class Sampler {
+ public:
+  Sampler(SamplerKind kind, std::uint32_t seed) : kind_(kind), seed_(seed) {}
+
+  // The numbers that follow belong to this sample of this pixel.
+  void start(std::uint32_t x, std::uint32_t y, std::uint32_t sample);
+
+  CameraNumbers camera();
+  VertexNumbers vertex(int depth);
+
+ private:
+  // Fills numbers_ for the eight dimensions of `block` and of block + 1.
+  void generate(std::uint32_t block);
+
+  SamplerKind kind_;
+  std::uint32_t seed_;
+  std::uint32_t pixel_hash_ = 0, sample_ = 0;
+  std::uint32_t first_block_ = 0;
+  alignas(64) float numbers_[16];
+};
+
+}  // namespace karat

@@ -1,0 +1,70 @@
+// Shapes: what a scene names, and the geometry that they turn into.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "materials/parameters.h"
+#include "materials/vector.h"
+#include "render/transform.h"
+#include "spectral/support/registry.h"
+
+namespace karat {
+
+// Triangles or quads. `normals` and `uvs` are empty or one per position. Counter-clockwise faces
+// look along their outward normal.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<Vec2> uvs;
+  std::vector<std::uint32_t> indices;  // `face_vertices` for each face
+  int face_vertices = 3;               // 3 or 4
+};
+
+struct SphereGeometry {
+  Vec3 center;
+  float radius = 1.0f;
+};
+
+// A flat disk seen from both sides; `normal` is unit.
+struct DiskGeometry {
+  Vec3 center;
+  Vec3 normal{0, 0, 1};
+  float radius = 1.0f;
+};
+
+// A parallelogram: origin + u * edge_u + v * edge_v for u, v in [0, 1]; normal along edge_u x edge_v.
+struct RectangleGeometry {
+  Vec3 origin, edge_u, edge_v;
+};
+
+using Geometry = std::variant<Mesh, SphereGeometry, DiskGeometry, RectangleGeometry>;
+
+// One source file per shape (render/shapes/), ending in KARAT_REGISTER(ShapeType, "torus", Torus);
+class ShapeType {
+ public:
+  virtual ~ShapeType() = default;
+  virtual std::string description() const = 0;
+  virtual std::vector<ParameterInfo> parameters() const = 0;
+  // In the shape's own coordinates; throws InputError.
+  virtual Geometry create(const Parameters& parameters) const = 0;
+};
+
+// The geometry moved by a transform. A sphere or disk stays what it is under a similarity and becomes
+// a fine mesh otherwise.
+Geometry transformed(const Geometry& geometry, const Transform& transform);
+
+// A quad or triangle mesh of any geometry (meshes are returned as they are).
+Mesh tessellated(const Geometry& geometry);
+
+// Area in scene units squared.
+double surface_area(const Geometry& geometry);
+
+// Reads OBJ, PLY, STL, glTF with Assimp: one mesh, all nodes' transforms applied. Throws InputError:
+// no such file, no triangles, vertices that are not finite, more than 2^31 indices.
+Mesh read_mesh_file(const std::string& path);
+
+}  // namespace karat

@@ -1,0 +1,78 @@
+// All surfaces of a scene, ready to be hit.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "materials/vector.h"
+#include "render/ray_scene.h"
+#include "render/shape.h"
+#include "render/transform.h"
+
+namespace karat {
+
+class Light;
+class Material;
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  // unit
+};
+
+// One placed geometry: what it is made of and whether it emits.
+struct Surface {
+  const Material* material = nullptr;  // null: black to light that arrives
+  const Light* light = nullptr;        // the area light that this surface is, or null
+  std::uint32_t id = 0;                // number of the shape in the scene file, for the id channel
+};
+
+struct SurfaceHit {
+  Vec3 position;
+  Vec3 geometric_normal;  // unit, outward side of the geometry
+  Vec3 shading_normal;    // unit, on the same side as the geometric normal
+  Vec3 tangent;           // along increasing u where the geometry has one; any length
+  Vec2 uv;
+  float distance;
+  const Surface* surface;
+};
+
+class World {
+ public:
+  World();
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  // Adds a geometry in world coordinates; `surface` is copied, its address as stored is returned.
+  const Surface* add(Geometry geometry, const Surface& surface);
+
+  // Adds one copy of a group for every transform; geometry and memory are shared.
+  struct Placed {
+    Geometry geometry;
+    Surface surface;
+  };
+  void add_instances(std::vector<Placed> group, const std::vector<Transform>& transforms);
+
+  void commit();  // nothing can be hit before
+
+  bool intersect(const Ray& ray, SurfaceHit& hit) const;
+
+  // Whether anything lies between the two ends of a segment of `distance` (infinite for the
+  // environment) along a unit direction. `origin` is already offset (see offset_origin).
+  bool occluded(Vec3 origin, Vec3 direction, float distance) const;
+
+  // Center and radius of a sphere around everything; radius 0 for an empty world.
+  void bounding_sphere(Vec3& center, float& radius) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// A ray origin moved off a surface to the side of `direction` by a few units in the last place
+// (Wächter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems,
+// 2019, ch. 6).
+Vec3 offset_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction);
+
+}  // namespace karat
