@@ -13,6 +13,9 @@ struct Vec2 {
   float x = 0.0f, y = 0.0f;
 };
 
+inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+inline Vec2 operator*(Vec2 a, float s) { return {a.x * s, a.y * s}; }
+
 struct Vec3 {
   float x = 0.0f, y = 0.0f, z = 0.0f;
 

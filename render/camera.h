@@ -32,7 +32,8 @@ class Camera {
   virtual bool receive(Vec3 point, Vec2 lens, Receive& result) const = 0;
 };
 
-// One source file per camera (render/cameras/), ending in KARAT_REGISTER(CameraType, "perspective", ...).
+// One source file per camera (render/cameras/), ending in KARAT_REGISTER(CameraType, "perspective",
+// ...).
 class CameraType {
  public:
   virtual ~CameraType() = default;

@@ -14,7 +14,8 @@
 
 namespace karat {
 
-// A sum of floats, exact for addends of magnitude 2^-40 to 2^60 (smaller ones lose bits below 2^-64).
+// A sum of floats, exact for addends of magnitude 2^-40 to 2^60 (smaller ones lose bits below
+// 2^-64).
 class ExactSum {
  public:
   void add(float value);
@@ -61,7 +62,7 @@ class Film {
            const FirstHit* first_hit);
 
   PixelValue pixel(int x, int y) const;
-  double spectral(int x, int y, int bin) const;            // mean radiance in the bin
+  double spectral(int x, int y, int bin) const;  // mean radiance in the bin
   struct Features {
     std::array<double, 3> albedo_xyz{}, normal{};
     double depth = 0.0, shape = 0.0;
@@ -83,10 +84,11 @@ class Film {
     std::array<ExactSum, 3> xyz;
     ExactSum y_squared;
     std::uint32_t samples = 0, dropped_non_finite = 0, dropped_negative = 0;
+    std::uint32_t unused = 0;  // no padding: the bytes are saved as they are
   };
   struct PixelFeatures {
     std::array<ExactSum, 8> sums;
-    std::uint32_t hits = 0;
+    std::uint32_t hits = 0, unused[3] = {};
   };
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.x1 - crop_.x0) +

@@ -12,14 +12,14 @@ struct Image {
   int width = 0, height = 0;
   std::vector<std::string> channels;  // "R", "G", "B", "normal.X", ...
   std::vector<float> values;
-  std::map<std::string, std::string> attributes;       // written as strings
-  std::map<std::string, double> number_attributes;     // written as floats
+  std::map<std::string, std::string> attributes;    // written as strings
+  std::map<std::string, double> number_attributes;  // written as floats
   // Where the pixels lie in the full image (data window and display window).
   int x = 0, y = 0, full_width = 0, full_height = 0;
 };
 
-// Writes an EXR (32-bit float, or half) through a temporary file that is renamed: the old file stays
-// until the new one is whole. Throws RuntimeError.
+// Writes an EXR (32-bit float, or half) through a temporary file that is renamed: the old file
+// stays until the new one is whole. Throws RuntimeError.
 void write_exr(const std::string& path, const Image& image, bool half = false);
 
 // An 8- or 16-bit PNG of display-referred values in [0, 1] (clamped here, and only here).

@@ -37,8 +37,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual std::string description() const = 0;
 
-  // Radiance per lane; where the path followed the hero lane alone, the other lanes are zero and the
-  // hero's is kLanes times its radiance. `first_hit` may be null.
+  // Radiance per lane; where the path followed the hero lane alone, the other lanes are zero and
+  // the hero's is kLanes times its radiance. `first_hit` may be null.
   virtual SampledSpectrum radiance(const Scene& scene, const Ray& ray,
                                    SampledWavelengths wavelengths, Sampler& sampler,
                                    PathCounters& counters, FirstHit* first_hit) const = 0;

@@ -87,8 +87,8 @@ class LightType {
                                               const LightContext& context) const = 0;
 };
 
-// A light that is a shape's surface: every geometry can emit. `radiance` leaves the outward side, and
-// the inward side too when `two_sided`.
+// A light that is a shape's surface: every geometry can emit. `radiance` leaves the outward side,
+// and the inward side too when `two_sided`.
 std::unique_ptr<const Light> make_area_light(const Geometry& geometry,
                                              const LatticeSpectrum& radiance, bool two_sided);
 

@@ -43,8 +43,8 @@ class RayScene {
   // `transform`: 3x4 column-major, local to world. `scene` must be committed and outlive this one.
   std::uint32_t add_instance(const RayScene& scene, const float transform[12]);
 
-  // Builds the acceleration structure; nothing can be traced before. Throws RuntimeError when Embree
-  // reports an error (out of memory).
+  // Builds the acceleration structure; nothing can be traced before. Throws RuntimeError when
+  // Embree reports an error (out of memory).
   void commit();
 
   bool intersect(const EmbreeRay& ray, EmbreeHit& hit) const;

@@ -17,7 +17,6 @@ struct RenderProgress {
   int samples_total = 0;  // 0: until the time is over
   double seconds = 0.0;
   std::uint64_t rays = 0;
-  double first_ray_seconds = 0.0;  // from the call of render() to the first camera ray
 };
 
 struct RenderOptions {

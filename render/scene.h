@@ -43,10 +43,10 @@ struct Scene {
   std::vector<std::unique_ptr<const Material>> materials;
   std::vector<std::unique_ptr<const Light>> lights;
   World world;
-  LightSelection light_selection;      // over `lights`, set up by finish()
+  LightSelection light_selection;  // over `lights`, set up by finish()
   std::vector<const Light*> environments;
-  std::vector<Provenance> tables;      // every index table in use
-  std::string fresnel;                 // the models in use, for the metadata
+  std::vector<Provenance> tables;  // every index table in use
+  std::string fresnel;             // the models in use, for the metadata
   std::vector<std::string> warnings;
 
   // Commits the world and prepares what is derived from the lights. Called once by the loader.

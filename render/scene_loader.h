@@ -13,7 +13,7 @@ namespace karat {
 // What the command line changes about a scene before it is loaded.
 struct SceneOverrides {
   std::vector<std::pair<std::string, std::string>> values;  // -D path=value, JSON pointer or dotted
-  std::string fresnel;                                       // --fresnel MODEL
+  std::string fresnel;                                      // --fresnel MODEL
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<Crop> crop;

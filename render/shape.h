@@ -36,7 +36,8 @@ struct DiskGeometry {
   float radius = 1.0f;
 };
 
-// A parallelogram: origin + u * edge_u + v * edge_v for u, v in [0, 1]; normal along edge_u x edge_v.
+// A parallelogram: origin + u * edge_u + v * edge_v for u, v in [0, 1]; normal along edge_u x
+// edge_v.
 struct RectangleGeometry {
   Vec3 origin, edge_u, edge_v;
 };
@@ -53,8 +54,8 @@ class ShapeType {
   virtual Geometry create(const Parameters& parameters) const = 0;
 };
 
-// The geometry moved by a transform. A sphere or disk stays what it is under a similarity and becomes
-// a fine mesh otherwise.
+// The geometry moved by a transform. A sphere or disk stays what it is under a similarity and
+// becomes a fine mesh otherwise.
 Geometry transformed(const Geometry& geometry, const Transform& transform);
 
 // A quad or triangle mesh of any geometry (meshes are returned as they are).
@@ -63,8 +64,8 @@ Mesh tessellated(const Geometry& geometry);
 // Area in scene units squared.
 double surface_area(const Geometry& geometry);
 
-// Reads OBJ, PLY, STL, glTF with Assimp: one mesh, all nodes' transforms applied. Throws InputError:
-// no such file, no triangles, vertices that are not finite, more than 2^31 indices.
+// Reads OBJ, PLY, STL, glTF with Assimp: one mesh, all nodes' transforms applied. Throws
+// InputError: no such file, no triangles, vertices that are not finite, more than 2^31 indices.
 Mesh read_mesh_file(const std::string& path);
 
 }  // namespace karat

@@ -19,6 +19,11 @@ struct Transform {
     const Vec3 c = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
     return determinant() < 0.0f ? -c : c;
   }
+  Vec3 inverse_point(Vec3 p) const {
+    const Vec3 q = p - origin;
+    return Vec3{dot(q, cross(y, z)), dot(q, cross(z, x)), dot(q, cross(x, y))} *
+           (1.0f / determinant());
+  }
   float determinant() const { return dot(x, cross(y, z)); }
 
   // a * b applies b first.

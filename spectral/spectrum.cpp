@@ -73,16 +73,15 @@ class BlackbodySpectrum final : public Spectrum {
     if (!(kelvin > 0.0)) throw std::invalid_argument("a blackbody needs a temperature above 0 K");
   }
 
-  // Planck 1901: L = 2 h c^2 / lambda^5 / (exp(h c / (lambda k T)) - 1), per metre; times 1e-9 per nm.
+  // Planck 1901: L = 2 h c^2 / lambda^5 / (exp(h c / (lambda k T)) - 1), per metre; times 1e-9 per
+  // nm.
   double operator()(double nm) const override {
     constexpr double kPlanck = 6.62607015e-34, kLight = 299792458.0, kBoltzmann = 1.380649e-23;
     const double m = nm * 1e-9;
     const double exponent = kPlanck * kLight / (m * kBoltzmann * kelvin_);
     return 2.0 * kPlanck * kLight * kLight / (m * m * m * m * m) / std::expm1(exponent) * 1e-9;
   }
-  std::string description() const override {
-    return "blackbody " + std::to_string(kelvin_) + " K";
-  }
+  std::string description() const override { return "blackbody " + std::to_string(kelvin_) + " K"; }
 
  private:
   double kelvin_;

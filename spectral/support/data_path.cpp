@@ -10,7 +10,8 @@ namespace karat {
 
 std::string data_path(const std::string& relative) {
   std::vector<std::filesystem::path> places;
-  if (const char* folder = std::getenv("KARAT_DATA"); folder && *folder) places.emplace_back(folder);
+  if (const char* folder = std::getenv("KARAT_DATA"); folder && *folder)
+    places.emplace_back(folder);
   places.emplace_back(KARAT_SOURCE_DATA_DIR);
   places.emplace_back(KARAT_INSTALL_DATA_DIR);
   std::string tried;

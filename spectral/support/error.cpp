@@ -66,7 +66,8 @@ std::string unknown_name_message(const std::string& what, const std::string& nam
   for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) {
     text += (i == 0 ? "" : ", ") + known[i];
   }
-  if (known.size() > kMostListed) text += ", and " + std::to_string(known.size() - kMostListed) + " more";
+  if (known.size() > kMostListed)
+    text += ", and " + std::to_string(known.size() - kMostListed) + " more";
   return text + ".";
 }
 

@@ -1,0 +1,94 @@
+// The literal estimator of the rendering equation, kept as the check of the path tracer: one
+// wavelength a path, directions uniform over the sphere, light found by chance alone. No next-event
+// estimation, no importance sampling, no Russian roulette, no sharing of wavelengths. Only what
+// chance cannot meet is treated apart: delta lobes are sampled, and delta lights are added up at
+// every vertex.
+#include "render/integrator.h"
+#include "render/integrators/vertex.h"
+
+namespace karat {
+namespace {
+
+Vec3 uniform_direction(Vec2 u) {
+  const float z = 1.0f - 2.0f * u.x;
+  const float r = std::sqrt(std::max(0.0f, 1.0f - z * z));
+  return {r * std::cos(2.0f * kPi * u.y), r * std::sin(2.0f * kPi * u.y), z};
+}
+
+class ReferenceIntegrator final : public Integrator {
+ public:
+  std::string description() const override {
+    return "literal reference: uniform directions, one wavelength a path";
+  }
+
+  SampledSpectrum radiance(const Scene& scene, const Ray& camera_ray,
+                           SampledWavelengths wavelengths, Sampler& sampler, PathCounters& counters,
+                           FirstHit*) const override {
+    const int hero = wavelengths.hero, phase = wavelengths.phase;
+    Ray ray = camera_ray;
+    float result = 0.0f, throughput = 1.0f;
+    for (int depth = 0;; ++depth) {
+      SurfaceHit hit;
+      ++counters.rays;
+      if (!scene.world.intersect(ray, hit)) {
+        for (const Light* light : scene.environments) {
+          result += throughput * light->radiance(ray.direction, nullptr, phase)[hero];
+        }
+        break;
+      }
+      if (hit.surface->light) {
+        result += throughput * hit.surface->light->radiance(ray.direction, &hit, phase)[hero];
+      }
+      if (depth >= scene.settings.max_depth || !hit.surface->material) break;
+
+      BsdfStorage storage;
+      const Vertex vertex(hit, ray.direction, wavelengths, storage);
+      ++counters.vertices;
+      const VertexNumbers u = sampler.vertex(depth);
+      result += throughput * from_delta_lights(scene, vertex, phase, hero, counters);
+
+      Vec3 wi;
+      if (vertex.only_delta) {
+        const auto sample = vertex.bsdf->sample(vertex.wo, {u.lobe, u.bsdf});
+        if (!sample) break;
+        wi = sample->wi;
+        throughput *= sample->weight[hero];
+      } else {
+        wi = uniform_direction(u.bsdf);
+        throughput *= vertex.bsdf->evaluate(vertex.wo, wi).value[hero] * 4.0f * kPi;
+      }
+      const Vec3 direction = normalize(vertex.frame.to_world(wi));
+      if (!(throughput > 0.0f) || !vertex.consistent(direction, wi)) break;
+      ray = vertex.spawn(direction);
+    }
+    SampledSpectrum radiance(0.0f);
+    radiance[hero] = result * kLanes;
+    return radiance;
+  }
+
+ private:
+  static float from_delta_lights(const Scene& scene, const Vertex& vertex, int phase, int hero,
+                                 PathCounters& counters) {
+    float sum = 0.0f;
+    for (const auto& light : scene.lights) {
+      if (!light->is_delta()) continue;
+      const auto sample = light->sample(vertex.position, {0.5f, 0.5f}, phase);
+      if (!sample) continue;
+      const Vec3 wi = vertex.frame.to_local(sample->wi);
+      if (!vertex.consistent(sample->wi, wi)) continue;
+      const float value = vertex.bsdf->evaluate(vertex.wo, wi).value[hero];
+      const Ray shadow = vertex.spawn(sample->wi);
+      ++counters.rays;
+      if (value > 0.0f &&
+          !scene.world.occluded(shadow.origin, shadow.direction, sample->distance)) {
+        sum += value * sample->radiance[hero];
+      }
+    }
+    return sum;
+  }
+};
+
+KARAT_REGISTER(Integrator, "reference", ReferenceIntegrator);
+
+}  // namespace
+}  // namespace karat

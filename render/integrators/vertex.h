@@ -1,0 +1,48 @@
+// A path vertex: the surface point with its frame turned to the viewer and its Bsdf prepared.
+#pragma once
+
+#include "materials/material.h"
+#include "render/scene.h"
+
+namespace karat {
+
+struct Vertex {
+  Vec3 position;
+  Vec3 geometric_normal;
+  Frame frame;
+  Vec3 wo;  // local, towards where the path came from
+  const Bsdf* bsdf;
+  bool transmits;
+  bool only_delta;
+
+  // `direction` is the ray's, towards the surface. Opaque surfaces look the same from both sides:
+  // their frame is turned to the viewer. For the others the inside is where wo.z < 0.
+  Vertex(const SurfaceHit& hit, Vec3 direction, SampledWavelengths wavelengths,
+         BsdfStorage& storage) {
+    const Material& material = *hit.surface->material;
+    transmits = material.transmits();
+    only_delta = material.only_delta();
+    position = hit.position;
+    geometric_normal = hit.geometric_normal;
+    Vec3 shading_normal = hit.shading_normal;
+    if (!transmits && dot(direction, geometric_normal) > 0.0f) {
+      geometric_normal = -geometric_normal;
+      shading_normal = -shading_normal;
+    }
+    frame = Frame::around(shading_normal, hit.tangent);
+    wo = frame.to_local(-direction);
+    bsdf = material.prepare({hit.position, hit.uv}, wavelengths, Transport::kRadiance, storage);
+  }
+
+  // Whether a world direction leaves on the side that the local one is on: an interpolated normal
+  // may put a reflected direction below the actual surface.
+  bool consistent(Vec3 world, Vec3 local) const {
+    return dot(world, geometric_normal) * local.z > 0.0f;
+  }
+
+  Ray spawn(Vec3 direction) const {
+    return {offset_origin(position, geometric_normal, direction), direction};
+  }
+};
+
+}  // namespace karat

@@ -1,0 +1,188 @@
+#include "render/ray_scene.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <cstring>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+constexpr unsigned kEverything = 0xffffffffu;  // masks are set explicitly: their default changed
+
+// Embree reports errors per device; the last one is kept until commit() turns it into an exception.
+struct Device {
+  RTCDevice handle = rtcNewDevice(nullptr);
+  std::mutex mutex;
+  std::string error;
+
+  Device() {
+    if (!handle) throw RuntimeError("Embree could not be started");
+    rtcSetDeviceErrorFunction(
+        handle,
+        [](void* self, RTCError, const char* text) {
+          auto* device = static_cast<Device*>(self);
+          const std::lock_guard lock(device->mutex);
+          device->error = text ? text : "unknown error";
+        },
+        this);
+  }
+  ~Device() { rtcReleaseDevice(handle); }
+
+  std::string take_error() {
+    const std::lock_guard lock(mutex);
+    return std::exchange(error, {});
+  }
+};
+
+Device& device() {
+  static Device device;
+  return device;
+}
+
+// Copies an array of `count` items of `components` 4-byte numbers into a new buffer of a geometry.
+void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const void* source,
+                 std::size_t components, std::size_t count) {
+  const std::size_t stride = components * sizeof(float);
+  void* target = rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, count);
+  if (!target) throw RuntimeError("Embree: " + device().take_error());
+  if (count > 0) std::memcpy(target, source, stride * count);
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  RTCScene handle = rtcNewScene(device().handle);
+
+  ~Impl() { rtcReleaseScene(handle); }
+
+  std::uint32_t attach(RTCGeometry geometry) {
+    rtcSetGeometryMask(geometry, kEverything);
+    rtcCommitGeometry(geometry);
+    const unsigned number = rtcAttachGeometry(handle, geometry);
+    rtcReleaseGeometry(geometry);
+    return number;
+  }
+
+  std::uint32_t add_mesh(RTCGeometryType type, RTCFormat index_format, std::size_t face_vertices,
+                         const float* positions, std::size_t vertices, const std::uint32_t* indices,
+                         std::size_t faces) {
+    RTCGeometry geometry = rtcNewGeometry(device().handle, type);
+    copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions, 3, vertices);
+    copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, index_format, indices, face_vertices, faces);
+    return attach(geometry);
+  }
+};
+
+RayScene::RayScene() : impl_(std::make_unique<Impl>()) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::uint32_t RayScene::add_triangles(const float* positions, std::size_t vertices,
+                                      const std::uint32_t* indices, std::size_t triangles) {
+  return impl_->add_mesh(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, 3, positions, vertices,
+                         indices, triangles);
+}
+
+std::uint32_t RayScene::add_quads(const float* positions, std::size_t vertices,
+                                  const std::uint32_t* indices, std::size_t quads) {
+  return impl_->add_mesh(RTC_GEOMETRY_TYPE_QUAD, RTC_FORMAT_UINT4, 4, positions, vertices, indices,
+                         quads);
+}
+
+std::uint32_t RayScene::add_sphere(const float center[3], float radius) {
+  RTCGeometry geometry = rtcNewGeometry(device().handle, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  const float vertex[4] = {center[0], center[1], center[2], radius};
+  copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, vertex, 4, 1);
+  return impl_->attach(geometry);
+}
+
+std::uint32_t RayScene::add_disk(const float center[3], const float normal[3], float radius) {
+  RTCGeometry geometry = rtcNewGeometry(device().handle, RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
+  const float vertex[4] = {center[0], center[1], center[2], radius};
+  copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, vertex, 4, 1);
+  copy_buffer(geometry, RTC_BUFFER_TYPE_NORMAL, RTC_FORMAT_FLOAT3, normal, 3, 1);
+  return impl_->attach(geometry);
+}
+
+std::uint32_t RayScene::add_instance(const RayScene& scene, const float transform[12]) {
+  RTCGeometry geometry = rtcNewGeometry(device().handle, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, scene.impl_->handle);
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
+  return impl_->attach(geometry);
+}
+
+void RayScene::commit() {
+  rtcCommitScene(impl_->handle);
+  if (const std::string error = device().take_error(); !error.empty()) {
+    throw RuntimeError("Embree: " + error);
+  }
+}
+
+namespace {
+
+RTCRay to_embree(const EmbreeRay& ray) {
+  RTCRay r;
+  r.org_x = ray.origin[0], r.org_y = ray.origin[1], r.org_z = ray.origin[2];
+  r.dir_x = ray.direction[0], r.dir_y = ray.direction[1], r.dir_z = ray.direction[2];
+  r.tnear = ray.tnear, r.tfar = ray.tfar;
+  r.time = 0.0f;
+  r.mask = kEverything;
+  r.id = 0;
+  r.flags = 0;
+  return r;
+}
+
+}  // namespace
+
+bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
+  RTCRayHit query;
+  query.ray = to_embree(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect1(impl_->handle, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(impl_->handle, &context, &query);
+#endif
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit.distance = query.ray.tfar;
+  hit.normal[0] = query.hit.Ng_x, hit.normal[1] = query.hit.Ng_y, hit.normal[2] = query.hit.Ng_z;
+  hit.u = query.hit.u, hit.v = query.hit.v;
+  hit.geometry = query.hit.geomID;
+  hit.primitive = query.hit.primID;
+  hit.instance = query.hit.instID[0];
+  return true;
+}
+
+bool RayScene::occluded(const EmbreeRay& ray) const {
+  RTCRay query = to_embree(ray);
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded1(impl_->handle, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(impl_->handle, &context, &query);
+#endif
+  return query.tfar < 0.0f;  // Embree marks an occluded ray with tfar = -inf
+}
+
+void RayScene::bounds(float lower[3], float upper[3]) const {
+  RTCBounds box;
+  rtcGetSceneBounds(impl_->handle, &box);
+  lower[0] = box.lower_x, lower[1] = box.lower_y, lower[2] = box.lower_z;
+  upper[0] = box.upper_x, upper[1] = box.upper_y, upper[2] = box.upper_z;
+}
+
+}  // namespace karat

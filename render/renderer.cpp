@@ -1,0 +1,105 @@
+#include "render/renderer.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace karat {
+namespace {
+
+constexpr int kTile = 16;             // pixels a side: a tile's film stays in the first-level cache
+constexpr double kPassSeconds = 0.5;  // passes grow until they last about this long
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Pass {
+  const Scene& scene;
+  const Integrator& integrator;
+  SamplerKind sampler_kind;
+  int first_sample, last_sample;
+
+  void pixel(int x, int y, Film& film, PathCounters& counters) const {
+    Sampler sampler(sampler_kind, scene.settings.seed);
+    const bool features = film.channels().features;
+    for (int s = first_sample; s < last_sample; ++s) {
+      sampler.start(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                    static_cast<std::uint32_t>(s));
+      const CameraNumbers u = sampler.camera();
+      const SampledWavelengths wavelengths{static_cast<int>(u.phase * kPhases),
+                                           static_cast<int>(u.hero * kLanes)};
+      const Vec2 position{static_cast<float>(x) + u.pixel.x, static_cast<float>(y) + u.pixel.y};
+      const Ray ray = scene.camera->ray(position, u.lens);
+      FirstHit first_hit;
+      const SampledSpectrum radiance = integrator.radiance(
+          scene, ray, wavelengths, sampler, counters, features ? &first_hit : nullptr);
+      film.add(x, y, radiance, wavelengths, &first_hit);
+      ++counters.paths;
+    }
+  }
+};
+
+}  // namespace
+
+RenderResult render(const Scene& scene, const RenderOptions& options, Film& film) {
+  const Clock::time_point start = Clock::now();
+  const RenderSettings& settings = scene.settings;
+  const Integrator* integrator = Registry<Integrator>::instance().find(settings.integrator);
+  if (!integrator) throw std::logic_error("unknown integrator " + settings.integrator);
+  const SamplerKind kind =
+      settings.sampler == "independent" ? SamplerKind::kIndependent : SamplerKind::kSobol;
+
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  tbb::enumerable_thread_specific<PathCounters> counters;
+  const Crop crop = film.crop();
+
+  RenderResult result;
+  RenderProgress progress;
+  progress.samples_total = settings.spp;
+  int sample = options.first_sample, pass_samples = 1;
+  while (sample < settings.spp) {
+    const Clock::time_point pass_start = Clock::now();
+    const Pass pass{scene, *integrator, kind, sample,
+                    std::min(sample + pass_samples, settings.spp)};
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range2d<int>(crop.y0, crop.y1, kTile, crop.x0, crop.x1, kTile),
+          [&](const tbb::blocked_range2d<int>& tile) {
+            PathCounters local;
+            for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+              for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+                pass.pixel(x, y, film, local);
+              }
+            }
+            counters.local() += local;
+          },
+          tbb::simple_partitioner());
+    });
+    sample = pass.last_sample;
+
+    result.counters = {};
+    for (const PathCounters& c : counters) result.counters += c;
+    progress.samples_done = sample;
+    progress.seconds = seconds_since(start);
+    progress.rays = result.counters.rays;
+    if (options.after_pass && !options.after_pass(progress, film)) break;
+    if (options.time_limit_seconds > 0 && progress.seconds >= options.time_limit_seconds) break;
+    if (options.interrupted && options.interrupted->load()) {
+      result.interrupted = true;
+      break;
+    }
+    if (seconds_since(pass_start) < 0.5 * kPassSeconds) pass_samples *= 2;
+  }
+  result.samples = sample;
+  result.seconds = seconds_since(start);
+  return result;
+}
+
+}  // namespace karat
