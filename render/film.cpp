@@ -60,11 +60,7 @@ void Film::add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths
   Pixel& pixel = pixels_[at];
   ++pixel.samples;
 
-  bool finite = true, negative = false;
-  for (int i = 0; i < kLanes; ++i) {
-    finite &= std::abs(radiance[i]) < kMost;  // false for NaN
-    negative |= radiance[i] < 0.0f;
-  }
+  const bool finite = all_below(radiance, kMost), negative = any_negative(radiance);
   if (!finite || negative) {
     pixel.dropped_non_finite += !finite;
     pixel.dropped_negative += finite && negative;
@@ -73,7 +69,7 @@ void Film::add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths
 
   float xyz[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    xyz[i] = mean(radiance * sensor_.xyz[i][wavelengths.phase]);
+    xyz[i] = mean_product(radiance, sensor_.xyz[i][wavelengths.phase]);
     pixel.xyz[i].add(xyz[i]);
   }
   const float luminance = std::min(xyz[1], kMostForSquare);
@@ -93,7 +89,7 @@ void Film::add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths
     PixelFeatures& features = features_[at];
     ++features.hits;
     for (std::size_t i = 0; i < 3; ++i) {
-      features.sums[i].add(mean(first_hit->albedo * sensor_.xyz[i][wavelengths.phase]));
+      features.sums[i].add(mean_product(first_hit->albedo, sensor_.xyz[i][wavelengths.phase]));
     }
     const float others[5] = {first_hit->normal.x, first_hit->normal.y, first_hit->normal.z,
                              first_hit->depth, static_cast<float>(first_hit->shape)};

@@ -61,6 +61,7 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, con
 
 struct RayScene::Impl {
   RTCScene handle = rtcNewScene(device().handle);
+  std::vector<RecordedRay>* record = nullptr;
 
   ~Impl() { rtcReleaseScene(handle); }
 
@@ -144,7 +145,10 @@ RTCRay to_embree(const EmbreeRay& ray) {
 
 }  // namespace
 
+void RayScene::record_to(std::vector<RecordedRay>* target) { impl_->record = target; }
+
 bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
+  if (impl_->record) [[unlikely]] impl_->record->push_back({ray, false});
   RTCRayHit query;
   query.ray = to_embree(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -167,6 +171,7 @@ bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
 }
 
 bool RayScene::occluded(const EmbreeRay& ray) const {
+  if (impl_->record) [[unlikely]] impl_->record->push_back({ray, true});
   RTCRay query = to_embree(ray);
 #if RTC_VERSION_MAJOR >= 4
   rtcOccluded1(impl_->handle, &query);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace karat {
 
@@ -22,6 +23,12 @@ struct EmbreeHit {
   std::uint32_t geometry;  // as returned by add_*
   std::uint32_t primitive;
   std::uint32_t instance;  // as returned by add_instance, or kNoInstance
+};
+
+// A ray as it was traced, for measurements that trace it again without a renderer around it.
+struct RecordedRay {
+  EmbreeRay ray;
+  bool occlusion;
 };
 
 inline constexpr std::uint32_t kNoInstance = 0xffffffffu;
@@ -49,6 +56,9 @@ class RayScene {
 
   bool intersect(const EmbreeRay& ray, EmbreeHit& hit) const;
   bool occluded(const EmbreeRay& ray) const;
+
+  // From now on every ray is appended to `target` as well (one thread only); null ends it.
+  void record_to(std::vector<RecordedRay>* target);
 
   // Bounding box of everything, {lower xyz, upper xyz}.
   void bounds(float lower[3], float upper[3]) const;

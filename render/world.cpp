@@ -215,6 +215,8 @@ bool World::occluded(Vec3 origin, Vec3 direction, float distance) const {
   return impl_->scene.occluded(ray);
 }
 
+RayScene& World::rays() { return impl_->scene; }
+
 void World::bounding_sphere(Vec3& center, float& radius) const {
   float lower[3], upper[3];
   impl_->scene.bounds(lower, upper);

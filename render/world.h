@@ -62,6 +62,9 @@ class World {
   // environment) along a unit direction. `origin` is already offset (see offset_origin).
   bool occluded(Vec3 origin, Vec3 direction, float distance) const;
 
+  // What traces the rays, for measurements.
+  RayScene& rays();
+
   // Center and radius of a sphere around everything; radius 0 for an empty world.
   void bounding_sphere(Vec3& center, float& radius) const;
 

@@ -13,7 +13,11 @@
 namespace karat {
 namespace {
 
-constexpr int kRouletteDepth = 3;  // first scattering event after which a path may end by chance
+// Roulette is played from this scattering event on, and only with paths that carry less than
+// kRouletteThreshold. Ending brighter ones saves few rays and costs much: on three mirror-like rings at
+// 16 samples per pixel a threshold of 1 traces 4 % fewer rays at 1.5 times the relative squared error.
+constexpr int kRouletteDepth = 3;
+constexpr float kRouletteThreshold = 0.25f;
 
 // Veach 1997, section 9.2.4, with exponent 2; pdf > 0. Through the ratio, so that squares of
 // extreme densities do no harm.
@@ -153,7 +157,7 @@ class Path {
   // first, since it comes back when the path leaves the medium again.
   bool survives(float u) {
     const float carried = max_lane(throughput_) * eta_squared_ / densities_.mean_ratio;
-    const float probability = std::min(carried, 1.0f);
+    const float probability = std::min(carried / kRouletteThreshold, 1.0f);
     if (!(u < probability)) return false;
     throughput_ *= 1.0f / probability;
     return true;
