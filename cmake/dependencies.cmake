@@ -1,18 +1,35 @@
-# Every library that Karat builds on, as one interface target: all of them are Debian 12 packages.
-find_package(embree 3.13 REQUIRED)
-find_package(TBB REQUIRED)
-find_package(OpenImageIO REQUIRED)
-find_package(OpenEXR REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(valijson REQUIRED CONFIG)
-find_package(yaml-cpp REQUIRED)
-find_package(assimp REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
+# karat_dependencies: every library that Karat builds on, as one interface target. All of them are
+# Debian 12 packages; a newer major version is taken as it comes.
+
+# Embree's config files allow one major version only, so the version is compared here.
+find_package(embree CONFIG REQUIRED)
+if(embree_VERSION VERSION_LESS 3.13)
+  message(FATAL_ERROR "Embree 3.13 or newer is needed; ${embree_DIR} holds ${embree_VERSION}.")
+endif()
+find_package(TBB CONFIG REQUIRED)
+find_package(OpenImageIO CONFIG REQUIRED)
+find_package(OpenEXR CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(valijson CONFIG REQUIRED)
+find_package(yaml-cpp CONFIG REQUIRED)
+find_package(assimp CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+# Debian puts OpenColorIO's config files where CMake does not look.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
+
+# Two targets got a namespace in later versions.
+set(karat_valijson valijson)
+if(TARGET ValiJSON::valijson)
+  set(karat_valijson ValiJSON::valijson)
+endif()
+set(karat_yaml yaml-cpp)
+if(TARGET yaml-cpp::yaml-cpp)
+  set(karat_yaml yaml-cpp::yaml-cpp)
+endif()
 
 add_library(karat_dependencies INTERFACE)
 target_link_libraries(karat_dependencies INTERFACE
   embree TBB::tbb OpenImageIO::OpenImageIO OpenEXR::OpenEXR nlohmann_json::nlohmann_json
-  valijson yaml-cpp assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO)
+  ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO)
