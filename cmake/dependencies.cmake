@@ -33,3 +33,6 @@ add_library(karat_dependencies INTERFACE)
 target_link_libraries(karat_dependencies INTERFACE
   embree TBB::tbb OpenImageIO::OpenImageIO OpenEXR::OpenEXR nlohmann_json::nlohmann_json
   ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO)
+
+# What Karat's own headers include; cmake/karat-config.cmake.in finds the same.
+set(karat_public_dependencies nlohmann_json::nlohmann_json)

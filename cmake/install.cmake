@@ -1,6 +1,6 @@
 # What `cmake --install` copies: the program, libkarat, its headers, the data files, and the config
-# files for find_package(karat). No third-party library appears in Karat's interface, so a project
-# that uses Karat needs none of them to configure or compile.
+# files for find_package(karat). Karat's headers include nlohmann-json and no other library, so a
+# project that uses Karat needs only that one to configure and compile.
 include(CMakePackageConfigHelpers)
 
 set(CMAKE_INSTALL_MESSAGE LAZY)
