@@ -11,8 +11,9 @@ namespace {
 
 constexpr Matrix3 kBradfordCones{
     {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-constexpr Matrix3 kCat16Cones{
-    {{0.401288, 0.650173, -0.051461}, {-0.250268, 1.204414, 0.045854}, {-0.002079, 0.048952, 0.953127}}};
+constexpr Matrix3 kCat16Cones{{{0.401288, 0.650173, -0.051461},
+                               {-0.250268, 1.204414, 0.045854},
+                               {-0.002079, 0.048952, 0.953127}}};
 
 constexpr double kCoolest = 500.0, kHottest = 100000.0;
 
@@ -30,7 +31,8 @@ SpectrumPtr white_spectrum(const std::string& name) {
     try {
       return illuminant(name);
     } catch (const InputError& e) {
-      throw InputError(std::string(e.what()) + " A temperature in kelvin (500 to 100000) and \"none\" are allowed too.");
+      throw InputError(std::string(e.what()) +
+                       " A temperature in kelvin (500 to 100000) and \"none\" are allowed too.");
     }
   }
   if (!(kelvin >= kCoolest && kelvin <= kHottest)) {
@@ -44,7 +46,8 @@ SpectrumPtr white_spectrum(const std::string& name) {
 // Von Kries 1902: the cone responses scale by the ratio of the whites' responses.
 Matrix3 adaptation_matrix(const Xyz& from_white, const Xyz& to_white, Adaptation method) {
   const Matrix3& cones = method == Adaptation::kBradford ? kBradfordCones : kCat16Cones;
-  const std::array<double, 3> from = product(cones, from_white), to = product(cones, to_white);
+  const std::array<double, 3> from = transformed(cones, from_white),
+                              to = transformed(cones, to_white);
   Matrix3 scaled = cones;
   for (std::size_t i = 0; i < 3; ++i) {
     for (double& x : scaled[i]) x *= to[i] / from[i];

@@ -8,7 +8,7 @@
 
 namespace karat {
 
-std::array<double, 3> product(const Matrix3& m, const std::array<double, 3>& v) {
+std::array<double, 3> transformed(const Matrix3& m, const std::array<double, 3>& v) {
   std::array<double, 3> r{};
   for (std::size_t i = 0; i < 3; ++i) r[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
   return r;
@@ -71,7 +71,8 @@ Xyz xyz_of_reflectance(const WavelengthFunction& reflectance, const Spectrum& il
 
 Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant,
                        const Observer& observer, WavelengthRange range) {
-  return xyz_of_reflectance([&](double nm) { return reflectance(nm); }, illuminant, observer, range);
+  return xyz_of_reflectance([&](double nm) { return reflectance(nm); }, illuminant, observer,
+                            range);
 }
 
 std::array<double, 3> xyy_of_xyz(const Xyz& xyz) {
@@ -96,7 +97,7 @@ Matrix3 xyz_of_rgb_matrix(const Primaries& p) {
             blue = at_unit_luminance(p.blue);
   Matrix3 m{};
   for (std::size_t i = 0; i < 3; ++i) m[i] = {red[i], green[i], blue[i]};
-  const Rgb scale = product(inverse(m), at_unit_luminance(p.white));
+  const Rgb scale = transformed(inverse(m), at_unit_luminance(p.white));
   for (auto& row : m) {
     for (std::size_t j = 0; j < 3; ++j) row[j] *= scale[j];
   }
@@ -113,8 +114,8 @@ const Matrix3& linear_srgb_of_xyz_matrix() {
   return matrix;
 }
 
-Rgb linear_srgb_of_xyz(const Xyz& xyz) { return product(linear_srgb_of_xyz_matrix(), xyz); }
-Xyz xyz_of_linear_srgb(const Rgb& rgb) { return product(xyz_of_linear_srgb_matrix(), rgb); }
+Rgb linear_srgb_of_xyz(const Xyz& xyz) { return transformed(linear_srgb_of_xyz_matrix(), xyz); }
+Xyz xyz_of_linear_srgb(const Rgb& rgb) { return transformed(xyz_of_linear_srgb_matrix(), rgb); }
 
 double srgb_encode(double linear) {
   const double v = std::abs(linear);

@@ -15,12 +15,12 @@ namespace karat {
 
 using Xyz = std::array<double, 3>;
 using Rgb = std::array<double, 3>;
-using Lab = std::array<double, 3>;  // L* in [0, 100], a*, b*
+using Lab = std::array<double, 3>;                     // L* in [0, 100], a*, b*
 using Matrix3 = std::array<std::array<double, 3>, 3>;  // row major
 
 inline constexpr Matrix3 kIdentity3{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-std::array<double, 3> product(const Matrix3& m, const std::array<double, 3>& v);  // m v
-Matrix3 product(const Matrix3& a, const Matrix3& b);                            // a b
+std::array<double, 3> transformed(const Matrix3& m, const std::array<double, 3>& v);  // m v
+Matrix3 product(const Matrix3& a, const Matrix3& b);                                  // a b
 Matrix3 inverse(const Matrix3& m);  // of a regular matrix
 
 // --- Spectra to XYZ: sums at whole nanometres, both ends of the range included (ISO/CIE 11664-3).
@@ -41,7 +41,8 @@ Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant,
 std::array<double, 3> xyy_of_xyz(const Xyz& xyz);
 Xyz xyz_of_xyy(const std::array<double, 3>& xyy);  // (0, 0, 0) where y is 0
 
-// --- Linear sRGB (Rec.709 primaries, white x = 0.3127, y = 0.3290; IEC 61966-2-1, Rec. ITU-R BT.709).
+// --- Linear sRGB (Rec.709 primaries, white x = 0.3127, y = 0.3290; IEC 61966-2-1, Rec. ITU-R
+// BT.709).
 
 // Chromaticities x, y of a display's or a colour space's primaries and white.
 struct Primaries {
@@ -73,20 +74,21 @@ double delta_e_2000(const Lab& a, const Lab& b);
 // --- Chromatic adaptation.
 
 // Von Kries scaling in the cone space of Bradford (Lam 1985, as in ICC.1) or of CAT16 (Li et al.
-// 2017, complete adaptation). Maps `from_white` to `to_white` exactly, and Y of white to Y of white.
+// 2017, complete adaptation). Maps `from_white` to `to_white` exactly, and Y of white to Y of
+// white.
 enum class Adaptation { kBradford, kCat16 };
 Matrix3 adaptation_matrix(const Xyz& from_white, const Xyz& to_white, Adaptation method);
 Adaptation adaptation_method(const std::string& name);  // "bradford", "cat16", else InputError
 
-// The white, Y = 1, of an illuminant by name, of a blackbody by its temperature in kelvin ("3200"; a
-// blackbody at every temperature, also where daylight would be usual; 500 to 100000), or of D65
+// The white, Y = 1, of an illuminant by name, of a blackbody by its temperature in kelvin ("3200";
+// a blackbody at every temperature, also where daylight would be usual; 500 to 100000), or of D65
 // for "none", which asks for no adaptation. Throws InputError listing what is allowed.
 Xyz white_xyz(const std::string& name, const Observer& observer);
 Xyz white_xyz(const std::string& name);  // cie1931
 
-// XYZ under `white`, seen by `observer`, to XYZ under D65: the white of the D65 table under the 1931
-// observer, which linear sRGB assumes whatever the observer. The identity for "none", and for "D65"
-// under cie1931.
+// XYZ under `white`, seen by `observer`, to XYZ under D65: the white of the D65 table under the
+// 1931 observer, which linear sRGB assumes whatever the observer. The identity for "none", and for
+// "D65" under cie1931.
 Matrix3 adaptation_to_d65(const std::string& white, const Observer& observer,
                           Adaptation method = Adaptation::kBradford);
 

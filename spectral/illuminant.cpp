@@ -64,12 +64,12 @@ SpectrumPtr normalised(SpectrumPtr spectrum) {
 SpectrumPtr daylight_spectrum(double temperature_kelvin) {
   const double t = temperature_kelvin;
   if (!(t >= 4000.0 && t <= 25000.0)) {
-    throw InputError("daylight is defined from 4000 to 25000 K, not at " + std::to_string(t) + " K");
+    throw InputError("daylight is defined from 4000 to 25000 K, not at " + std::to_string(t) +
+                     " K");
   }
   const double r = 1000.0 / t;
-  const double x = t <= 7000.0
-                       ? 0.244063 + r * (0.09911 + r * (2.9678 - r * 4.6070))
-                       : 0.237040 + r * (0.24748 + r * (1.9018 - r * 2.0064));
+  const double x = t <= 7000.0 ? 0.244063 + r * (0.09911 + r * (2.9678 - r * 4.6070))
+                               : 0.237040 + r * (0.24748 + r * (1.9018 - r * 2.0064));
   const double y = -3.000 * x * x + 2.870 * x - 0.275;
   const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
   const double m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / m;

@@ -11,8 +11,7 @@ constexpr double kDelta = 6.0 / 29.0;  // ISO/CIE 11664-4, where the cube root b
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 double compressed(double t) {
-  return t > kDelta * kDelta * kDelta ? std::cbrt(t)
-                                      : t / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
+  return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
 }
 
 double expanded(double f) {
@@ -40,7 +39,8 @@ HueDifference hue_difference(double h1, double h2, bool grey) {
   if (grey) return {0.0, h1 + h2};
   const double d = h2 - h1, sum = h1 + h2;
   if (std::abs(d) <= 180.0) return {d, 0.5 * sum};
-  return {d > 180.0 ? d - 360.0 : d + 360.0, sum < 360.0 ? 0.5 * (sum + 360.0) : 0.5 * (sum - 360.0)};
+  return {d > 180.0 ? d - 360.0 : d + 360.0,
+          sum < 360.0 ? 0.5 * (sum + 360.0) : 0.5 * (sum - 360.0)};
 }
 
 }  // namespace
@@ -67,16 +67,14 @@ double delta_e_2000(const Lab& lab1, const Lab& lab2) {
   const double g = 0.5 * (1.0 - chroma_weight(c_mean));
   const double a1 = (1.0 + g) * lab1[1], a2 = (1.0 + g) * lab2[1];
   const double c1 = std::hypot(a1, lab1[2]), c2 = std::hypot(a2, lab2[2]);
-  const auto [dh, h] =
-      hue_difference(hue_deg(a1, lab1[2]), hue_deg(a2, lab2[2]), c1 * c2 == 0.0);
+  const auto [dh, h] = hue_difference(hue_deg(a1, lab1[2]), hue_deg(a2, lab2[2]), c1 * c2 == 0.0);
 
   const double delta_l = lab2[0] - lab1[0], delta_c = c2 - c1;
   const double delta_h = 2.0 * std::sqrt(c1 * c2) * std::sin(0.5 * dh * kDegree);
   const double l = 0.5 * (lab1[0] + lab2[0]), c = 0.5 * (c1 + c2);
 
   const double t = 1.0 - 0.17 * std::cos((h - 30.0) * kDegree) +
-                   0.24 * std::cos(2.0 * h * kDegree) +
-                   0.32 * std::cos((3.0 * h + 6.0) * kDegree) -
+                   0.24 * std::cos(2.0 * h * kDegree) + 0.32 * std::cos((3.0 * h + 6.0) * kDegree) -
                    0.20 * std::cos((4.0 * h - 63.0) * kDegree);
   const double hue_band = (h - 275.0) / 25.0;
   const double rotation =

@@ -27,12 +27,14 @@ ocio::ConstConfigRcPtr read_config(const std::string& path) {
   try {
     config = ocio::Config::CreateFromFile(path.c_str());
   } catch (const ocio::Exception& e) {
-    throw InputError(path, "", std::string("cannot be read as an OpenColorIO configuration: ") + e.what());
+    throw InputError(path, "",
+                     std::string("cannot be read as an OpenColorIO configuration: ") + e.what());
   }
   if (!config->hasRole(kInterchangeRole)) {
-    throw InputError(path, "roles",
-                     "lacks the role \"aces_interchange\" (the name of its ACES2065-1 space), through "
-                     "which Karat hands over its colours; add it, or choose another configuration");
+    throw InputError(
+        path, "roles",
+        "lacks the role \"aces_interchange\" (the name of its ACES2065-1 space), through "
+        "which Karat hands over its colours; add it, or choose another configuration");
   }
   return config;
 }
@@ -58,13 +60,15 @@ void require_known(const std::string& path, const std::string& what, const std::
   }
 }
 
-// Exposure and the change of primaries as one matrix, then the configuration's own display and view.
+// Exposure and the change of primaries as one matrix, then the configuration's own display and
+// view.
 ocio::ConstTransformRcPtr whole_transform(const std::string& display, const std::string& view,
                                           double exposure_stops) {
   const Matrix3& primaries = aces2065_1_of_linear_srgb_matrix();
   double m44[16] = {};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m44[4 * i + j] = std::exp2(exposure_stops) * primaries[i][j];
+    for (std::size_t j = 0; j < 3; ++j)
+      m44[4 * i + j] = std::exp2(exposure_stops) * primaries[i][j];
   }
   m44[15] = 1.0;
   const auto matrix = ocio::MatrixTransform::Create();
@@ -106,10 +110,10 @@ OcioView::OcioView(const std::string& config_path, const std::string& display,
                 view_names(config, made->display));
   try {
     // Lossless: the default level replaces powers by approximations that are off by up to 1e-4.
-    made->processor =
-        config.getProcessor(whole_transform(made->display, made->view, exposure_stops),
-                            ocio::TRANSFORM_DIR_FORWARD)
-            ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    made->processor = config
+                          .getProcessor(whole_transform(made->display, made->view, exposure_stops),
+                                        ocio::TRANSFORM_DIR_FORWARD)
+                          ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
   } catch (const ocio::Exception& e) {
     throw InputError(made->path, "display \"" + made->display + "\", view \"" + made->view + "\"",
                      e.what());

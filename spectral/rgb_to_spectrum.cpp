@@ -94,8 +94,8 @@ const RgbWeights& rgb_weights() {
 }
 
 struct Evaluation {
-  Vector3 residual{};   // rgb - target
-  Matrix3 jacobian{};   // of the residual by the coefficients
+  Vector3 residual{};  // rgb - target
+  Matrix3 jacobian{};  // of the residual by the coefficients
 };
 
 Evaluation evaluated(const Vector3& c, const Rgb& target) {
@@ -130,11 +130,11 @@ Vector3 damped_step(const Evaluation& e, double damping) {
   }
   // The floor keeps the matrix regular where the sigmoid is flat everywhere.
   for (std::size_t i = 0; i < 3; ++i) normal[i][i] += damping * normal[i][i] + 1e-18;
-  return product(inverse(normal), gradient);
+  return transformed(inverse(normal), gradient);
 }
 
-// The paper minimises with Gauss-Newton; far from grey that overshoots into the sigmoid's flat ends,
-// hence the damping.
+// The paper minimises with Gauss-Newton; far from grey that overshoots into the sigmoid's flat
+// ends, hence the damping.
 Vector3 fitted(Vector3 c, const Rgb& target, int most_steps) {
   constexpr double kExact = 1e-9;
   Evaluation e = evaluated(c, target);

@@ -13,14 +13,16 @@ namespace karat {
 // linear sRGB) is `rgb`, each channel in [0, 1] (otherwise InputError). Known in 360 to 830 nm.
 //
 // (0, 0, 0) and (1, 1, 1) are the constants 0 and 1. Every other colour is met within 1e-4 as long
-// as a sigmoid of a parabola can reach it; nearer than 1e-3 to a face of the cube (a channel of 0 or
-// 1 beside others that are not) it may not, and the reflectance is the nearest found, whose error
-// `rgb_reflectance_fit` reports. A table's D65 is not quite the white of the sRGB matrix: the
-// constant 1 has the colour (1.0002, 0.9999, 0.9998), so grey is neutral to 2.4e-4, not exactly flat.
+// as a sigmoid of a parabola can reach it; nearer than 1e-3 to a face of the cube (a channel of 0
+// or 1 beside others that are not) it may not, and the reflectance is the nearest found, whose
+// error `rgb_reflectance_fit` reports. A table's D65 is not quite the white of the sRGB matrix: the
+// constant 1 has the colour (1.0002, 0.9999, 0.9998), so grey is neutral to 2.4e-4, not exactly
+// flat.
 SpectrumPtr rgb_reflectance_spectrum(const Rgb& rgb);
 
-// The solution in numbers: reflectance = S(c0 + c1 t + c2 t^2) with t = (wavelength - 595 nm) / 235 nm
-// and S(x) = 1/2 + x / (2 sqrt(1 + x^2)); `error` is the largest channel difference from the request.
+// The solution in numbers: reflectance = S(c0 + c1 t + c2 t^2) with t = (wavelength - 595 nm) / 235
+// nm and S(x) = 1/2 + x / (2 sqrt(1 + x^2)); `error` is the largest channel difference from the
+// request.
 struct RgbReflectanceFit {
   std::array<double, 3> coefficients{};
   double error = 0.0;
@@ -29,8 +31,9 @@ RgbReflectanceFit rgb_reflectance_fit(const Rgb& rgb);
 
 // Emission whose colour under the 1931 observer is `rgb` (any finite values >= 0, otherwise
 // InputError) where `illuminant` is D65: max(rgb) * 2 * the reflectance of rgb / (2 max(rgb)) * the
-// normalised illuminant. Under another illuminant it is what a filter of that colour lets through, so
-// white is the illuminant's white. In the unit of `rgb` (W m^-2 sr^-1 nm^-1 where rgb = 1 is Y = 1).
+// normalised illuminant. Under another illuminant it is what a filter of that colour lets through,
+// so white is the illuminant's white. In the unit of `rgb` (W m^-2 sr^-1 nm^-1 where rgb = 1 is Y =
+// 1).
 SpectrumPtr rgb_illuminant_spectrum(const Rgb& rgb, SpectrumPtr illuminant);
 
 }  // namespace karat

@@ -1,5 +1,5 @@
-// The text files of data/cie and data/illuminants: spectra on an even grid of wavelengths, with their
-// description, source and unit in the head. All of it is read at load time.
+// The text files of data/cie and data/illuminants: spectra on an even grid of wavelengths, with
+// their description, source and unit in the head. All of it is read at load time.
 #pragma once
 
 #include <memory>
@@ -41,7 +41,8 @@ SpectrumPtr zero_outside_range(SpectrumPtr spectrum);
 // The names of the files `*.json` directly in a folder of data/, without the ending, sorted.
 std::vector<std::string> data_names(const std::string& folder);
 
-// The path of data/FOLDER/NAME.json; throws InputError listing the names there ("unknown WHAT ...").
+// The path of data/FOLDER/NAME.json; throws InputError listing the names there ("unknown WHAT
+// ...").
 std::string named_data_file(const std::string& folder, const std::string& what,
                             const std::string& name);
 

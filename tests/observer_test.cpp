@@ -52,8 +52,8 @@ TEST_CASE("Observers peak where the standards say", "[observer]") {
 }
 
 // A mistyped digit is a spike of six times the error in the fourth differences. The standards' own
-// tables stay below 1 % of the value plus 1e-4 of the peak (the largest: cie1964 xbar at 491 nm), so
-// an error of 0.2 % of a value, or of 2e-5 of the peak in the tails, stands out.
+// tables stay below 1 % of the value plus 1e-4 of the peak (the largest: cie1964 xbar at 491 nm),
+// so an error of 0.2 % of a value, or of 2e-5 of the peak in the tails, stands out.
 TEST_CASE("Observer tables are smooth", "[observer]") {
   for (const std::string& name : observer_names()) {
     const Observer& o = observer(name);
@@ -86,8 +86,8 @@ TEST_CASE("Observers are zero outside their range", "[observer]") {
 
 TEST_CASE("Lattice means of ybar add up to its integral", "[observer]") {
   const Observer& o = observer("cie1931");
-  for (const WavelengthRange range : {kVisible, WavelengthRange{360, 830}, WavelengthRange{300, 1000},
-                                      WavelengthRange{555, 556}}) {
+  for (const WavelengthRange range : {kVisible, WavelengthRange{360, 830},
+                                      WavelengthRange{300, 1000}, WavelengthRange{555, 556}}) {
     const WavelengthLattice lattice(range);
     const LatticeSpectrum means = bin_means(*o.ybar, lattice);
     double lattice_integral = 0.0;
