@@ -27,8 +27,9 @@ class IndexTable {
  public:
   virtual ~IndexTable() = default;
 
-  // n and k at a wavelength in nm. Outside `range()` the end values are held; whoever needs the
-  // range to hold asks first (see require_coverage).
+  // n and k at a wavelength in nm, finite. Outside `range()` the end values are held; whoever needs
+  // the range to hold asks first (see require_coverage). Throws InputError where a dispersion formula
+  // gives no index although its range says so (n^2 < 0, a pole).
   virtual ComplexIndex at(double wavelength_nm) const = 0;
 
   // Where n (and k, where the table has any) were measured: the joint range.
@@ -48,14 +49,17 @@ using IndexTablePtr = std::shared_ptr<const IndexTable>;
 // A table of one value at every wavelength: "n = 1.5".
 IndexTablePtr constant_index(ComplexIndex index);
 
-// A table from spectra of n and k (inline values of a scene, .spd file pairs).
-IndexTablePtr index_from_spectra(SpectrumPtr n, SpectrumPtr k, Provenance provenance);
+// A table from spectra of n and k (inline values of a scene, .spd file pairs); k may be null. Throws
+// InputError where no wavelength has both.
+IndexTablePtr index_from_spectra(SpectrumPtr n, SpectrumPtr k, Provenance provenance,
+                                 std::vector<std::string> warnings = {});
 
 // n and k at the lattice wavelengths, relative to a real exterior index per wavelength.
 struct LatticeIndex {
   LatticeSpectrum n;
   LatticeSpectrum k;
 };
+// Throws InputError where n or k is negative at a lattice wavelength (some measured tables are).
 LatticeIndex on_lattice(const IndexTable& table, const WavelengthLattice& lattice);
 
 enum class RangePolicy { kError, kClamp };

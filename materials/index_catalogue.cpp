@@ -1,0 +1,118 @@
+#include "materials/index_catalogue.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <list>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <utility>
+
+#include "materials/index_folder.h"
+#include "materials/index_table_file.h"
+#include "spectral/support/data_path.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+fs::path user_folder() {
+  const std::string data = variable("XDG_DATA_HOME");
+  if (!data.empty()) return fs::path(data) / "karat/nk";
+  const std::string home = variable("HOME");
+  return home.empty() ? fs::path() : fs::path(home) / ".local/share/karat/nk";
+}
+
+// The folders as the environment names them now, and what was loaded from them.
+class Library {
+ public:
+  Library() {
+    add(data_path("nk"));
+    add(user_folder());
+    own_ = folders_.size();
+    std::istringstream path(variable("KARAT_NK_PATH"));
+    for (std::string folder; std::getline(path, folder, ':');) add(folder);
+  }
+
+  IndexTablePtr find(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    IndexTablePtr& table = tables_[name];
+    if (!table) table = load_index_table_file(file_of(name), name);
+    return table;
+  }
+
+  std::vector<IndexTableEntry> list(bool everywhere) const {
+    std::map<std::string, std::string> all;
+    std::size_t count = everywhere ? folders_.size() : own_;
+    for (const IndexFolder& folder : folders_) {
+      if (count-- == 0) break;
+      all.merge(folder.list());
+    }
+    std::vector<IndexTableEntry> entries;
+    for (auto& [name, file] : all) entries.push_back({name, file});
+    return entries;
+  }
+
+ private:
+  void add(const fs::path& path) {
+    std::error_code ignored;
+    if (!path.empty() && fs::is_directory(path, ignored)) folders_.emplace_back(path);
+  }
+
+  std::string file_of(const std::string& name) const {
+    for (const IndexFolder& folder : folders_) {
+      if (auto file = folder.find(name)) return *file;
+    }
+    std::error_code ignored;
+    if (fs::is_regular_file(name, ignored)) return name;
+    throw InputError(unknown(name));
+  }
+
+  std::string unknown(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const IndexTableEntry& entry : list(true)) names.push_back(entry.name);
+    std::string looked;
+    for (const IndexFolder& folder : folders_) {
+      looked += (looked.empty() ? "" : ", ") + folder.path().string();
+    }
+    const std::string near = nearest_name(name, names);
+    return "unknown index table \"" + name + "\"" +
+           (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
+           "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders.";
+  }
+
+  std::list<IndexFolder> folders_;
+  std::size_t own_ = 0;
+  std::mutex mutex_;
+  std::map<std::string, IndexTablePtr> tables_;
+};
+
+// One library per state of the environment: a program that changes KARAT_NK_PATH (the tests do)
+// sees the change, everybody else shares one.
+Library& library() {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<Library>> libraries;
+  const std::scoped_lock lock(mutex);
+  const std::string key =
+      variable("KARAT_DATA") + '\n' + user_folder().string() + '\n' + variable("KARAT_NK_PATH");
+  auto& entry = libraries[key];
+  if (!entry) entry = std::make_unique<Library>();
+  return *entry;
+}
+
+}  // namespace
+
+IndexTablePtr find_index_table(const std::string& name) { return library().find(name); }
+
+std::vector<IndexTableEntry> list_index_tables(bool everywhere) {
+  return library().list(everywhere);
+}
+
+}  // namespace karat

@@ -1,0 +1,17 @@
+// Index tables in the YAML format of refractiveindex.info (docs/tables.md describes it).
+#pragma once
+
+#include <string>
+
+#include "materials/index_table.h"
+
+namespace karat {
+
+// Reads a table from a file, or from a file's text. `name` is what the table is called in messages
+// and in images. Of n and k the first DATA block that lists each counts. Throws InputError naming
+// file (or name) and line for anything that is not a table of n, or of n and k. Problems that leave
+// the data usable are in warnings(); negative values are kept as they stand (see on_lattice).
+IndexTablePtr load_index_table_file(const std::string& path, const std::string& name);
+IndexTablePtr load_index_table_text(const std::string& text, const std::string& name);
+
+}  // namespace karat
