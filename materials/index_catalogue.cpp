@@ -80,11 +80,13 @@ class Library {
     for (const IndexTableEntry& entry : list(true)) names.push_back(entry.name);
     std::string looked;
     for (const IndexFolder& folder : folders_) {
+      const auto& ids = folder.catalogue_ids();
+      names.insert(names.end(), ids.begin(), ids.end());
       looked += (looked.empty() ? "" : ", ") + folder.path().string();
     }
     const std::string near = nearest_name(name, names);
     return "unknown index table \"" + name + "\"" +
-           (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
+           (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
            "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders.";
   }
 

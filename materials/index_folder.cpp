@@ -76,7 +76,8 @@ std::map<std::string, std::string> IndexFolder::list() const {
   std::map<std::string, std::string> id_of_path;
   for (const std::string& id : catalogue().ids) {
     const auto& paths = catalogue().paths.at(id);
-    if (paths.size() == 1) id_of_path.emplace(paths.front(), id);
+    const bool own_shelf = paths.front().starts_with(id.substr(0, id.find('/') + 1));
+    if (paths.size() == 1 && own_shelf) id_of_path.emplace(paths.front(), id);
   }
   std::map<std::string, std::string> tables;
   std::error_code error;
@@ -88,9 +89,7 @@ std::map<std::string, std::string> IndexFolder::list() const {
     if (file.filename() == kCatalogue || file.filename() == "about.yml" || folder == "n2") continue;
     const std::string relative = file.lexically_relative(root_).generic_string();
     const auto id = id_of_path.find(relative);
-    std::string name = name_of(relative);
-    if (name == relative && id != id_of_path.end()) name = id->second;
-    tables.emplace(name, file.string());
+    tables.emplace(id != id_of_path.end() ? id->second : name_of(relative), file.string());
   }
   return tables;
 }

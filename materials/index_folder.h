@@ -19,8 +19,11 @@ class IndexFolder {
   // Throws InputError where the catalogue gives two files for the id.
   std::optional<std::string> find(const std::string& name) const;
 
-  // Every table file with its name.
+  // Every table file with its name: the catalogue's id of the path's own shelf where there is one.
   std::map<std::string, std::string> list() const;
+
+  // The ids that the catalogue lists: further names of the same tables.
+  const std::vector<std::string>& catalogue_ids() const { return catalogue().ids; }
 
   const std::filesystem::path& path() const { return folder_; }
 
