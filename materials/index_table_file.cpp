@@ -206,16 +206,31 @@ class Loader {
   bool n2_seen_ = false;
 };
 
-IndexTablePtr load(std::string text, const std::string& origin, Provenance provenance) {
+// YAML forbids tabs in indentation; some files have them there, and between columns. They stand for
+// blanks up to the next multiple of eight columns, as their authors' editors showed them.
+std::string without_tabs(const std::string& text) {
+  if (text.find('\t') == std::string::npos) return text;
+  std::string result;
+  std::size_t line_start = 0;
+  for (const char c : text) {
+    if (c == '\t') {
+      result.append(8 - (result.size() - line_start) % 8, ' ');
+    } else {
+      result += c;
+      if (c == '\n') line_start = result.size();
+    }
+  }
+  return result;
+}
+
+IndexTablePtr load(const std::string& text, const std::string& origin, Provenance provenance) {
   if (text.size() > kLargestFile) {
     throw InputError(
         origin, "",
         fmt::format("{} bytes; an index table has at most {}", text.size(), kLargestFile));
   }
-  // YAML forbids tabs in indentation; some files have them between columns and before rows.
-  std::replace(text.begin(), text.end(), '\t', ' ');
   try {
-    return Loader(origin, std::move(provenance)).load(text);
+    return Loader(origin, std::move(provenance)).load(without_tabs(text));
   } catch (const YAML::Exception& error) {
     throw InputError(origin, line_of(error.mark), "not valid YAML: " + error.msg);
   }

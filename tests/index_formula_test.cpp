@@ -63,8 +63,8 @@ TEST_CASE("formula 5: acetone, Rheims et al. 1997, n at 589.3 nm", "[index][form
 
 TEST_CASE("formula 6: air at 15 C, Ciddor 1996, against Peck and Reeder 1972 at 633 nm",
           "[index][formula]") {
-  // 10^8 (n - 1) = 8060.51 + 2480990 / (132.274 - s^2) + 17455.7 / (39.32957 - s^2), s = 1/L; the two
-  // fits of different measurements agree to a few 1e-8.
+  // 10^8 (n - 1) = 8060.51 + 2480990 / (132.274 - s^2) + 17455.7 / (39.32957 - s^2), s = 1/L; the
+  // two fits of different measurements agree to a few 1e-8.
   const std::vector<double> c = {0, 0.05792105, 238.0185, 0.00167917, 57.362};
   CHECK(std::abs(index_of(6, c, 0.633) - 1.000276515) < 3e-8);
 }
