@@ -1,0 +1,128 @@
+// A metal: reflection at an interface to an absorbing medium, smooth or rough.
+//
+// Rough: f = F(o.h) D(h) G2(o, i) / (4 cos_o cos_i), Cook and Torrance 1982 with the 4 of Walter et
+// al. 2007, equation 20; height-correlated G2 = 1 / (1 + Lambda(o) + Lambda(i)), Heitz 2014,
+// equation 99; sampled by visible normals, Heitz 2018. Single scattering: light that would meet the
+// surface twice is lost.
+#include <cmath>
+
+#include "materials/fresnel.h"
+#include "materials/microfacet_reflection.h"
+#include "materials/relative_index.h"
+#include "materials/roughness.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+class SmoothConductorBsdf final : public Bsdf {
+ public:
+  SmoothConductorBsdf(const FresnelModel* fresnel, const FresnelTables* tables, int phase)
+      : fresnel_(fresnel), tables_(tables), phase_(phase) {}
+
+  Lobes lobes() const override { return lobe::kReflect | lobe::kDelta; }
+
+  BsdfValue evaluate(Vec3, Vec3) const override { return {SampledSpectrum(0.0f), 0.0f}; }
+
+  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers&) const override {
+    if (!(wo.z > 0.0f)) return std::nullopt;
+    const SampledSpectrum f = fresnel_->reflectance(*tables_, phase_, std::min(wo.z, 1.0f));
+    return BsdfSample{{-wo.x, -wo.y, wo.z}, f, 1.0f, lobes()};
+  }
+
+ private:
+  const FresnelModel* fresnel_;
+  const FresnelTables* tables_;
+  int phase_;
+};
+
+class RoughConductorBsdf final : public Bsdf {
+ public:
+  RoughConductorBsdf(const FresnelModel* fresnel, const FresnelTables* tables, int phase,
+                     Roughness roughness)
+      : fresnel_(fresnel), tables_(tables), facets_(roughness), phase_(phase) {}
+
+  Lobes lobes() const override { return lobe::kReflect | lobe::kGlossy; }
+
+  BsdfValue evaluate(Vec3 wo, Vec3 wi) const override {
+    const FacetReflection r = facets_.evaluate(wo, wi);
+    if (!(r.pdf > 0.0f)) return {SampledSpectrum(0.0f), 0.0f};
+    return {fresnel_->reflectance(*tables_, phase_, r.cos_facet) * r.value, r.pdf};
+  }
+
+  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const override {
+    const std::optional<FacetReflectionSample> s = facets_.sample(wo, u.direction);
+    if (!s) return std::nullopt;
+    return BsdfSample{s->wi, fresnel_->reflectance(*tables_, phase_, s->cos_facet) * s->weight,
+                      s->pdf, lobes()};
+  }
+
+ private:
+  const FresnelModel* fresnel_;
+  const FresnelTables* tables_;
+  MicrofacetReflection facets_;
+  int phase_;
+};
+
+class ConductorMaterial final : public Material {
+ public:
+  ConductorMaterial(const FresnelModel& fresnel, const LatticeIndex& index, Roughness roughness)
+      : fresnel_(fresnel), tables_(fresnel.prepare(index)), roughness_(roughness) {}
+
+  const Bsdf* prepare(const ShadingPoint&, SampledWavelengths wavelengths, Transport,
+                      BsdfStorage& storage) const override {
+    if (roughness_.smooth()) {
+      return storage.make<SmoothConductorBsdf>(&fresnel_, &tables_, wavelengths.phase);
+    }
+    return storage.make<RoughConductorBsdf>(&fresnel_, &tables_, wavelengths.phase, roughness_);
+  }
+  bool only_delta() const override { return roughness_.smooth(); }
+
+ private:
+  const FresnelModel& fresnel_;
+  FresnelTables tables_;
+  Roughness roughness_;
+};
+
+const FresnelModel& fresnel_model(const std::string& name) {
+  const auto& models = Registry<FresnelModel>::instance();
+  const FresnelModel* model = models.find(name);
+  if (!model) throw InputError(unknown_name_message("Fresnel model", name, models.names()));
+  return *model;
+}
+
+class ConductorType final : public MaterialType {
+ public:
+  std::string description() const override {
+    return "a metal from its measured complex index, smooth or rough; black seen from below";
+  }
+  std::vector<ParameterInfo> parameters() const override {
+    ParameterInfo nk;
+    nk.name = "nk";
+    nk.type = ParameterType::kIndex;
+    nk.description = "complex index of the metal";
+    nk.required = true;
+    ParameterInfo fresnel;
+    fresnel.name = "fresnel";
+    fresnel.type = ParameterType::kChoice;
+    fresnel.description = "Fresnel model, exact or an approximation";
+    fresnel.default_json = "\"exact\"";
+    fresnel.choices = Registry<FresnelModel>::instance().names();
+    std::vector<ParameterInfo> all{nk, exterior_parameter(), fresnel};
+    for (ParameterInfo& info : roughness_parameters()) all.push_back(std::move(info));
+    return all;
+  }
+  std::unique_ptr<const Material> create(const Parameters& parameters,
+                                         const MaterialContext& context) const override {
+    const std::string& name =
+        context.fresnel_override.empty() ? parameters.string("fresnel") : context.fresnel_override;
+    return std::make_unique<ConductorMaterial>(fresnel_model(name),
+                                               relative_index("nk", parameters, context),
+                                               read_roughness(parameters, *context.warnings));
+  }
+};
+
+KARAT_REGISTER(MaterialType, "conductor", ConductorType);
+
+}  // namespace
+}  // namespace karat

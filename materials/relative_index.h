@@ -1,0 +1,19 @@
+// The parameters that conductors and dielectrics share: a medium, and what lies outside it.
+#pragma once
+
+#include <string>
+
+#include "materials/index_table.h"
+#include "materials/material.h"
+
+namespace karat {
+
+// `exterior`: optional; vacuum, n = 1, when absent.
+ParameterInfo exterior_parameter();
+
+// n and k of the parameter `name` relative to the parameter `exterior` at the lattice wavelengths.
+// An exterior that absorbs (k above 1e-3 anywhere) is taken by its n alone, with a warning.
+LatticeIndex relative_index(const std::string& name, const Parameters& parameters,
+                            const MaterialContext& context);
+
+}  // namespace karat
