@@ -1,8 +1,8 @@
 // The exact reflectance of a plane interface to an absorbing medium.
 //
-// Formula: Fresnel 1823 in the real form of Born and Wolf, "Principles of Optics", section 14.2
-// (also PBRT-style "a, b" form): with c = cos(theta), s2 = sin^2(theta), d = n^2 - k^2 - s2, C =
-// hypot(d, 2nk), a^2 = (C + d)/2, b^2 = (C - d)/2 (so that a + ib = sqrt((n + ik)^2 - s2)):
+// Fresnel 1823, in the real form of Born and Wolf, "Principles of Optics", section 14.2. With
+// c = cos(theta), s2 = sin^2(theta), d = n^2 - k^2 - s2, C = hypot(d, 2nk), a^2 = (C + d)/2 and
+// b^2 = (C - d)/2, so that a + ib = sqrt((n + ik)^2 - s2):
 //   R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)
 //   R_p = R_s ((a c - s2)^2 + b^2 c^2) / ((a c + s2)^2 + b^2 c^2)
 //
@@ -22,14 +22,25 @@ namespace {
 // Planes: n^2 - k^2 - 1 (what float holds, and the rest), and n k.
 enum Plane { kReal, kRealRest, kImaginary, kPlanes };
 
-// The eighth power of an index must stay below the largest float. Beyond this limit a surface
-// reflects more than 1 - 7e-5 in any case.
+// In the float kernel the eighth power of an index must stay below the largest float. At this limit
+// a surface reflects 1 - 1.4e-4 at normal incidence.
 constexpr double kLargestIndex = 3e4;
-// Below every L^2 but an exact zero, which is the critical angle itself.
-constexpr float kSmallestSquare = 1e-16f;
-// Only for a matched index (n = 1, k = 0) at exactly 90 degrees is a denominator zero; its
+
+// The least L^2: below every value but an exact zero, which is the critical angle itself. The least
+// denominator: only for a matched index (n = 1, k = 0) at exactly 90 degrees is one zero; its
 // numerator is zero as well, and so then is the reflectance.
-constexpr float kTiny = 1e-36f;
+template <typename Real>
+struct Floor;
+template <>
+struct Floor<float> {
+  static constexpr float square = 1e-16f, denominator = 1e-36f;
+};
+template <>
+struct Floor<double> {
+  static constexpr double square = 1e-60, denominator = 1e-300;
+};
+
+constexpr float kFloor = Floor<float>::denominator;
 
 // c * c + x rounded once, where the instruction set can; a call of the library would cost more than
 // all the rest.
@@ -50,7 +61,7 @@ struct Terms {
 template <typename Real>
 inline Terms<Real> terms(Real d, Real nk, Real c, Real s2) {
   const Real hypotenuse = std::sqrt(d * d + Real(4) * nk * nk);
-  const Real square = std::max(Real(0.5) * (hypotenuse + std::abs(d)), Real(kSmallestSquare));
+  const Real square = std::max(Real(0.5) * (hypotenuse + std::abs(d)), Floor<Real>::square);
   const Real larger = std::sqrt(square);
   const Real a = d >= Real(0) ? square : nk;  // a L
   const Real b = d >= Real(0) ? nk : square;  // b L
@@ -98,7 +109,7 @@ class ExactFresnel final : public FresnelModel {
       const float d = square_plus(cos_theta, real[i]) + rest[i];
       const Terms<float> t = terms(d, nk[i], cos_theta, s2);
       const float numerator = 0.5f * t.s_numerator * (t.p_numerator + t.p_denominator);
-      r[i] = std::min(numerator / std::max(t.s_denominator * t.p_denominator, kTiny), 1.0f);
+      r[i] = std::min(numerator / std::max(t.s_denominator * t.p_denominator, kFloor), 1.0f);
     }
     return r;
   }
@@ -113,8 +124,8 @@ class ExactFresnel final : public FresnelModel {
     for (int i = 0; i < kLanes; ++i) {
       const float d = square_plus(cos_theta, real[i]) + rest[i];
       const Terms<float> t = terms(d, nk[i], cos_theta, s2);
-      r.s[i] = std::min(t.s_numerator / std::max(t.s_denominator, kTiny), 1.0f);
-      r.p[i] = r.s[i] * t.p_numerator / std::max(t.p_denominator, kTiny);
+      r.s[i] = std::min(t.s_numerator / std::max(t.s_denominator, kFloor), 1.0f);
+      r.p[i] = r.s[i] * t.p_numerator / std::max(t.p_denominator, kFloor);
     }
     return r;
   }
@@ -124,8 +135,9 @@ class ExactFresnel final : public FresnelModel {
     const auto [n, k] = index;
     const double d = (n - 1.0) * (n + 1.0) - k * k + cos_theta * cos_theta;
     const Terms<double> t = terms(d, n * k, cos_theta, s2);
-    const double s = std::min(t.s_numerator / std::max<double>(t.s_denominator, kTiny), 1.0);
-    const double p = s * t.p_numerator / std::max<double>(t.p_denominator, kTiny);
+    const double s =
+        std::min(t.s_numerator / std::max(t.s_denominator, Floor<double>::denominator), 1.0);
+    const double p = s * t.p_numerator / std::max(t.p_denominator, Floor<double>::denominator);
     return {s, p, 0.5 * (s + p)};
   }
 };

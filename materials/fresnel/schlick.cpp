@@ -1,21 +1,11 @@
 // Schlick's approximation from the exact reflectance at normal incidence.
 //
-// R = F0 + (1 - F0)(1 - cos)^5, Schlick, "An inexpensive BRDF model for physically-based rendering",
-// CGF 13(3), 1994, equation 15, with F0 = ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) of a complex index.
-#include "materials/fresnel.h"
+// R = F0 + (1 - F0)(1 - cos)^5: Schlick, "An inexpensive BRDF model for physically-based
+// rendering", CGF 13(3), 1994, equation 15, with the F0 of the complex index.
+#include "materials/fresnel_terms.h"
 
 namespace karat {
 namespace {
-
-double normal_incidence(double n, double k) {
-  return ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
-}
-
-template <typename Real>
-Real fifth_power(Real x) {
-  const Real square = x * x;
-  return square * square * x;
-}
 
 class SchlickFresnel final : public FresnelModel {
  public:
@@ -25,14 +15,7 @@ class SchlickFresnel final : public FresnelModel {
   std::string source() const override { return "Schlick 1994, CGF 13(3), equation 15"; }
 
   FresnelTables prepare(const LatticeIndex& index) const override {
-    FresnelTables tables;
-    tables.planes.resize(1);
-    for (int phase = 0; phase < kPhases; ++phase) {
-      tables.planes[0][phase] = for_each_lane([&](int i) {
-        return static_cast<float>(normal_incidence(index.n[phase][i], index.k[phase][i]));
-      });
-    }
-    return tables;
+    return {{lattice_of(index, normal_incidence)}};
   }
 
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
