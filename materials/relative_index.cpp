@@ -7,7 +7,7 @@
 namespace karat {
 namespace {
 
-constexpr double kNoticeableK = 1e-3;
+constexpr float kNoticeableK = 1e-3f;
 
 }  // namespace
 
@@ -20,6 +20,25 @@ ParameterInfo exterior_parameter() {
   return exterior;
 }
 
+void warn_if_absorbing(const std::string& what, const LatticeSpectrum& k, const std::string& done,
+                       const MaterialContext& context) {
+  const float largest = extremes(k).largest;
+  if (!(largest > kNoticeableK)) return;
+  context.warnings->push_back("the " + what + " absorbs (k up to " + std::to_string(largest) +
+                              "): " + done);
+}
+
+Extremes extremes(const LatticeSpectrum& spectrum) {
+  Extremes found{spectrum[0][0], spectrum[0][0]};
+  for (int phase = 0; phase < kPhases; ++phase) {
+    for (int i = 0; i < kLanes; ++i) {
+      found.least = std::min(found.least, spectrum[phase][i]);
+      found.largest = std::max(found.largest, spectrum[phase][i]);
+    }
+  }
+  return found;
+}
+
 // The division is done in double precision, before anything is rounded to float.
 LatticeIndex relative_index(const std::string& name, const Parameters& parameters,
                             const MaterialContext& context) {
@@ -27,7 +46,7 @@ LatticeIndex relative_index(const std::string& name, const Parameters& parameter
   const IndexTablePtr outside =
       parameters.has("exterior") ? parameters.index("exterior") : constant_index({1.0, 0.0});
   LatticeIndex relative;
-  double largest_k = 0.0;
+  LatticeSpectrum outside_k;
   for (int phase = 0; phase < kPhases; ++phase) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const double nm = context.lattice.wavelength_nm(lane, phase);
@@ -36,16 +55,12 @@ LatticeIndex relative_index(const std::string& name, const Parameters& parameter
         throw InputError("exterior: its n is " + std::to_string(out.n) + " at " +
                          std::to_string(nm) + " nm; it must be above 0");
       }
-      largest_k = std::max(largest_k, out.k);
+      outside_k[phase][lane] = static_cast<float>(out.k);
       relative.n[phase][lane] = static_cast<float>(in.n / out.n);
       relative.k[phase][lane] = static_cast<float>(in.k / out.n);
     }
   }
-  if (largest_k > kNoticeableK) {
-    context.warnings->push_back("the exterior " + outside->provenance().name +
-                                " absorbs (k up to " + std::to_string(largest_k) +
-                                "): only its n is used");
-  }
+  warn_if_absorbing("exterior", outside_k, "only its n is used", context);
   return relative;
 }
 

@@ -16,4 +16,13 @@ ParameterInfo exterior_parameter();
 LatticeIndex relative_index(const std::string& name, const Parameters& parameters,
                             const MaterialContext& context);
 
+// Warns that `what` ("interior") absorbs where its k exceeds 1e-3, and what is done about it.
+void warn_if_absorbing(const std::string& what, const LatticeSpectrum& k, const std::string& done,
+                       const MaterialContext& context);
+
+struct Extremes {
+  float least, largest;
+};
+Extremes extremes(const LatticeSpectrum& spectrum);
+
 }  // namespace karat
