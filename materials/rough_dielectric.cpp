@@ -43,7 +43,7 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::refracted(Vec3 wo, Vec3 wi) 
     h = h * std::copysign(1.0f, h.z * side);
     const float o_h = dot(wo, h), i_h = dot(wi, h);
     if (!(o_h > 0.0f && i_h < 0.0f)) return;  // a facet seen from behind
-    const float transmittance = 1.0f - dielectric_reflectance(std::min(o_h, 1.0f), eta);
+    const float transmittance = dielectric_transmittance(o_h, -i_h, eta);
     const Vec3 up{h.x, h.y, std::abs(h.z)};
     const float root = o_h + eta * i_h;
     const float jacobian = eta * eta * -i_h / (root * root);
