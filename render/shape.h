@@ -66,6 +66,11 @@ double surface_area(const Geometry& geometry);
 
 // Reads OBJ, PLY, STL, glTF with Assimp: one mesh, all nodes' transforms applied. Throws
 // InputError: no such file, no triangles, vertices that are not finite, more than 2^31 indices.
+// Triangles without an area are left out.
 Mesh read_mesh_file(const std::string& path);
+
+// One unit normal per position: the mean over the faces from `first_index` in `indices` on,
+// weighted by their angle at the vertex; +z where no face meets the vertex.
+std::vector<Vec3> vertex_normals(const Mesh& mesh, std::size_t first_index = 0);
 
 }  // namespace karat
