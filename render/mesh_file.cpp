@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <new>
 
 #include "render/shape.h"
@@ -45,6 +46,16 @@ void check_file(const std::string& path) {
   }
 }
 
+// Assimp 5.2 searches for the end of a PLY file's header without end.
+void check_ply_header(const std::string& path) {
+  constexpr std::size_t kLongestHeader = 1 << 20;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kLongestHeader, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("end_header") != std::string::npos) return;
+  throw InputError(path, "", "the header of this PLY file has no end (\"end_header\")");
+}
+
 Transform to_transform(const aiMatrix4x4& m) {
   return {{m.a1, m.b1, m.c1}, {m.a2, m.b2, m.c2}, {m.a3, m.b3, m.c3}, {m.a4, m.b4, m.c4}};
 }
@@ -64,6 +75,35 @@ bool has_area(Vec3 a, Vec3 b, Vec3 c) {
   const double ux = double{b.x} - a.x, uy = double{b.y} - a.y, uz = double{b.z} - a.z;
   const double vx = double{c.x} - a.x, vy = double{c.y} - a.y, vz = double{c.z} - a.z;
   return uy * vz != uz * vy || uz * vx != ux * vz || ux * vy != uy * vx;
+}
+
+std::string place_of(const aiMesh& mesh) {
+  return mesh.mName.length > 0 ? "mesh \"" + std::string(mesh.mName.C_Str()) + "\"" : "mesh";
+}
+
+// Checks a mesh as the file has it: Assimp's own steps would move or repair what is wrong.
+void check_mesh(const std::string& path, const aiMesh& mesh) {
+  const auto check = [&](const aiVector3D* values, const char* what) {
+    for (unsigned i = 0; values && i < mesh.mNumVertices; ++i) {
+      if (is_finite(values[i])) continue;
+      throw InputError(path, place_of(mesh),
+                       std::string(what) + " " + std::to_string(i) + " is " + describe(values[i]) +
+                           "; it must be finite");
+    }
+  };
+  check(mesh.mVertices, "vertex");
+  check(mesh.mNormals, "the normal of vertex");
+  check(mesh.mTextureCoords[0], "the texture coordinate of vertex");
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      if (face.mIndices[i] < mesh.mNumVertices) continue;
+      throw InputError(path, place_of(mesh),
+                       "face " + std::to_string(f) + " names vertex " +
+                           std::to_string(face.mIndices[i]) + "; there are " +
+                           std::to_string(mesh.mNumVertices));
+    }
+  }
 }
 
 // Gathers the meshes of a file into one.
@@ -97,9 +137,7 @@ class Collector {
 
  private:
   void add_mesh(const aiMesh& mesh, const Transform& to_world) {
-    const std::string place =
-        mesh.mName.length > 0 ? "mesh \"" + std::string(mesh.mName.C_Str()) + "\"" : "mesh";
-    check_values(mesh, place);
+    const std::string place = place_of(mesh);
     if (mesh_.indices.size() + 3 * std::size_t{mesh.mNumFaces} > kMostIndices) {
       throw InputError(path_, place, "more than 2^31 indices");
     }
@@ -113,7 +151,7 @@ class Collector {
       }
       mesh_.positions.push_back(p);
     }
-    add_faces(mesh, place, first, mirrored);
+    add_faces(mesh, first, mirrored);
     add_normals(mesh, to_world, first, first_index);
     mesh_.uvs.resize(mesh_.positions.size());
     if (!mesh.HasTextureCoords(0)) return;
@@ -123,34 +161,12 @@ class Collector {
     }
   }
 
-  void check_values(const aiMesh& mesh, const std::string& place) const {
-    const auto check = [&](const aiVector3D* values, const char* what) {
-      for (unsigned i = 0; values && i < mesh.mNumVertices; ++i) {
-        if (is_finite(values[i])) continue;
-        throw InputError(path_, place,
-                         std::string(what) + " " + std::to_string(i) + " is " +
-                             describe(values[i]) + "; it must be finite");
-      }
-    };
-    check(mesh.mVertices, "vertex");
-    check(mesh.mNormals, "the normal of vertex");
-    check(mesh.mTextureCoords[0], "the texture coordinate of vertex");
-  }
-
-  void add_faces(const aiMesh& mesh, const std::string& place, std::size_t first, bool mirrored) {
+  void add_faces(const aiMesh& mesh, std::size_t first, bool mirrored) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices != 3) continue;  // points and lines
       std::uint32_t corner[3];
-      for (int i = 0; i < 3; ++i) {
-        if (face.mIndices[i] >= mesh.mNumVertices) {
-          throw InputError(path_, place,
-                           "face " + std::to_string(f) + " names vertex " +
-                               std::to_string(face.mIndices[i]) + "; there are " +
-                               std::to_string(mesh.mNumVertices));
-        }
-        corner[i] = static_cast<std::uint32_t>(first + face.mIndices[i]);
-      }
+      for (int i = 0; i < 3; ++i) corner[i] = static_cast<std::uint32_t>(first + face.mIndices[i]);
       if (mirrored) std::swap(corner[1], corner[2]);
       const auto& p = mesh_.positions;
       if (!has_area(p[corner[0]], p[corner[1]], p[corner[2]])) continue;
@@ -209,11 +225,12 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh, std::size_t first_index) {
 
 Mesh read_mesh_file(const std::string& path) {
   check_file(path);
+  if (extension_of(path) == ".ply") check_ply_header(path);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                   aiProcess_RemoveComponent;
+  const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                         aiProcess_SortByPType | aiProcess_RemoveComponent;
   // Colours keep equal vertices apart; an STL file's normals say no more than its faces do.
   int removed = aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_MATERIALS |
                 aiComponent_TEXTURES | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
@@ -221,7 +238,9 @@ Mesh read_mesh_file(const std::string& path) {
   if (extension_of(path) == ".stl") removed |= aiComponent_NORMALS;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, removed);
   try {
-    const aiScene* scene = importer.ReadFile(path, steps);
+    const aiScene* scene = importer.ReadFile(path, 0);
+    for (unsigned i = 0; scene && i < scene->mNumMeshes; ++i) check_mesh(path, *scene->mMeshes[i]);
+    if (scene) scene = importer.ApplyPostProcessing(steps);
     if (!scene || !scene->mRootNode) {
       throw InputError(path, "",
                        std::string("cannot be read as a mesh: ") + importer.GetErrorString());

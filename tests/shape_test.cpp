@@ -117,8 +117,8 @@ TEST_CASE("a torus converges to its closed form with the square of the step", "[
   const auto errors = [](int n) {
     const Geometry torus = make("torus", {{"major_radius", 1.0},
                                           {"minor_radius", 0.25},
-                                          {"segments_u", double{n}},
-                                          {"segments_v", double{n}}});
+                                          {"segments_u", static_cast<double>(n)},
+                                          {"segments_v", static_cast<double>(n)}});
     return std::pair{2 * kPiD * kPiD / 16 - signed_volume(std::get<Mesh>(torus)),
                      kPiD * kPiD - surface_area(torus)};
   };

@@ -59,7 +59,8 @@ class Section {
       : half_(0.5 * width),
         edge_(edge),
         outer_(domes.outer * thickness, half_, edge),
-        inner_(domes.inner * thickness, half_, edge) {
+        inner_(domes.inner * thickness, half_, edge),
+        resolution_(1e-6 * (inner_radius + thickness)) {
     const double outer_radius = inner_radius + thickness;
     const double flank = (outer_radius + outer_.edge_center) - (inner_radius - inner_.edge_center);
     if (!(flank > 0.0)) {
@@ -89,14 +90,15 @@ class Section {
     add_arc(edge_rho, side * edge_z, edge_, s.tilt, 0.5 * kPiD, side);
   }
 
-  // Both ends included, but not a point that is there already.
+  // Both ends and the middle included, but not a point that is there already, as far as float can
+  // tell.
   void add_arc(double rho, double z, double radius, double from, double to, double side) {
-    const int steps = std::max(2, static_cast<int>(std::ceil((to - from) * per_radian_)));
+    const int steps = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * (to - from) * per_radian_)));
     for (int i = 0; i <= steps; ++i) {
       const double angle = from + (to - from) * i / steps;
       const double c = side * std::cos(angle), s = side * std::sin(angle);
       const ProfilePoint p{rho + radius * c, z + radius * s, c, s, 0.0};
-      if (points_.empty() || distance(points_.back(), p) > 1e-9 * half_) points_.push_back(p);
+      if (points_.empty() || distance(points_.back(), p) > resolution_) points_.push_back(p);
     }
   }
 
@@ -116,6 +118,7 @@ class Section {
 
   double half_, edge_;
   Side outer_, inner_;
+  double resolution_;
   double per_radian_ = 0.0;
   std::vector<ProfilePoint> points_;
 };
