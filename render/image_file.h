@@ -1,6 +1,7 @@
 // Image files: EXR with provenance, spectral EXR, PNG display views.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,5 +28,16 @@ void write_png(const std::string& path, const Image& image, int bits = 8);
 
 // Reads any image that OpenImageIO reads, as float. Throws InputError.
 Image read_image(const std::string& path);
+
+// The same without the pixels: `values` is empty.
+Image read_image_header(const std::string& path);
+
+// Throws RuntimeError, saying why, when a file could not be written at `path`: the folder is
+// missing or not writable, or `path` is itself a folder. Creates nothing that stays.
+void check_writable(const std::string& path);
+
+// Calls `write` with a temporary name beside `path`, then renames to `path`. When anything throws,
+// the temporary file is removed and what stood at `path` is untouched. Throws RuntimeError.
+void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);
 
 }  // namespace karat

@@ -1,0 +1,16 @@
+// The JSON Schema (draft 7) of scene files, written from the registries.
+#pragma once
+
+#include <string>
+
+#include "render/scene_json.h"
+
+namespace karat {
+
+const Json& scene_schema_json();
+
+// What valijson finds wrong with a document: the first error with its place, or "" when it
+// conforms.
+std::string schema_violation(const Json& document);
+
+}  // namespace karat
