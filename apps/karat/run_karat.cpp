@@ -1,0 +1,116 @@
+#include "apps/karat/run_karat.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "apps/karat/command.h"
+#include "render/version.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+const auto kStart = std::chrono::steady_clock::now();
+
+std::string version_text() {
+  return fmt::format("karat {}{}\n{}\n{}", version(), commit().empty() ? "" : " (" + commit() + ")",
+                     compiler(), libraries());
+}
+
+int fail(int code, const std::string& message) {
+  std::fflush(stdout);
+  fmt::print(stderr, "karat: error: {}\n", message);
+  return code;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// The subcommand that was given, or the program itself.
+const CLI::App& chosen_app(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : *chosen.front();
+}
+
+// What the user wrote that nothing is known about: the first argument that is not an option of
+// `app`.
+std::string suggestion(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App& chosen = chosen_app(app);
+  const bool command_given = &chosen != &app;
+  const std::vector<std::string> options = option_names(chosen);
+  for (const auto& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (!command_given && !name.empty() && name.front() != '-') {
+      return unknown_name_message("command", name, Registry<Command>::instance().names());
+    }
+    const bool known = std::find(options.begin(), options.end(), name) != options.end();
+    if (name.starts_with("--") && name.size() > 2 && !known) {
+      const std::string near = nearest_name(name, options);
+      return "unknown option " + name + (near.empty() ? "" : "; did you mean " + near + "?");
+    }
+  }
+  return "";
+}
+
+int usage_error(const CLI::App& app, const CLI::ParseError& error,
+                const std::vector<std::string>& arguments) {
+  std::string message = error.what();
+  if (const std::string better = suggestion(app, arguments); !better.empty()) message = better;
+  const CLI::App& chosen = chosen_app(app);
+  const std::string command = &chosen == &app ? "karat" : "karat " + chosen.get_name();
+  return fail(kWrongUsage, message + "\nSee " + command + " --help.");
+}
+
+int run_action(const std::function<int()>& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    return fail(kInvalidInput, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kFailed, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(kFailed, error.what());
+  }
+}
+
+}  // namespace
+
+double seconds_since_start() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - kStart).count();
+}
+
+int run_karat(int argc, const char* const* argv) {
+  CLI::App app{"Karat renders real materials from their measured complex refractive indices.",
+               "karat"};
+  app.set_version_flag("--version,-V", version_text());
+  app.require_subcommand(1);
+  app.footer("Example: karat render data/scenes/rings.json -o rings.exr -o rings.png");
+  std::function<int()> action;
+  const auto& commands = Registry<Command>::instance();
+  for (const auto& name : commands.names()) commands.find(name)->add_to(app, action);
+
+  const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are "errors" that succeed.
+    if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
+    return usage_error(app, error, arguments);
+  }
+  if (!action) return fail(kWrongUsage, "no command given\nSee karat --help.");
+  return run_action(action);
+}
+
+}  // namespace karat
