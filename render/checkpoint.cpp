@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +21,7 @@ struct Header {
   char magic[8];
   std::uint64_t content_hash;
   std::uint64_t state_bytes;
-  std::uint64_t checksum;  // of the state
+  std::uint64_t checksum;  // of this header, with 0 here, and the state
   std::int32_t crop[4];
   std::int32_t samples;
   std::uint32_t seed;
@@ -31,18 +32,22 @@ struct Header {
 };
 static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 72);
 
-// FNV-1a over 8-byte words, then over the rest: fast enough for films of gigabytes.
-std::uint64_t checksum_of(const std::vector<std::uint8_t>& bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  std::size_t i = 0;
-  for (; i + 8 <= bytes.size(); i += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, &bytes[i], 8);
+// FNV-1a over 8-byte words, which is fast enough for films of gigabytes; each word's high bits are
+// folded down, as multiplication only carries upwards.
+std::uint64_t hashed(std::uint64_t hash, const void* data, std::size_t size) {
+  const auto* bytes = static_cast<const std::uint8_t*>(data);
+  for (std::size_t i = 0; i < size; i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
     hash = (hash ^ word) * 0x100000001b3u;
     hash ^= hash >> 29;
   }
-  for (; i < bytes.size(); ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
   return hash;
+}
+
+std::uint64_t checksum_of(Header header, const std::vector<std::uint8_t>& state) {
+  header.checksum = 0;
+  return hashed(hashed(0xcbf29ce484222325u, &header, sizeof header), state.data(), state.size());
 }
 
 Header header_for(const Scene& scene, const Film& film) {
@@ -92,7 +97,7 @@ void save_checkpoint(const std::string& path, const Scene& scene, const Film& fi
   Header header = header_for(scene, film);
   header.samples = samples_done;
   header.state_bytes = state.size();
-  header.checksum = checksum_of(state);
+  header.checksum = checksum_of(header, state);
   replace_file(path, [&](const std::string& temporary) {
     std::ofstream stream(temporary, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(&header), sizeof header);
@@ -123,7 +128,7 @@ int load_checkpoint(const std::string& path, const Scene& scene, Film& film) {
   std::vector<std::uint8_t> state(header.state_bytes);
   if (!stream.read(reinterpret_cast<char*>(state.data()),
                    static_cast<std::streamsize>(state.size())) ||
-      checksum_of(state) != header.checksum) {
+      checksum_of(header, state) != header.checksum) {
     throw InputError(path, "", "damaged checkpoint: its checksum does not fit");
   }
   film.load(state);

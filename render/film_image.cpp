@@ -86,8 +86,8 @@ Image film_image(const Scene& scene, const Film& film) {
     for (int x = film.crop().x0; x < film.crop().x1; ++x) {
       const PixelValue value = film.pixel(x, y);
       const auto features = film.channels().features ? film.features(x, y) : Film::Features{};
-      write.add(product(to_rgb, value.xyz));
-      if (albedo) write.add(product(albedo_to_rgb, features.albedo_xyz));
+      write.add(transformed(to_rgb, value.xyz));
+      if (albedo) write.add(transformed(albedo_to_rgb, features.albedo_xyz));
       if (normal) write.add(features.normal);
       if (depth) write.add(features.depth);
       if (shape) write.add(features.shape);
@@ -114,7 +114,7 @@ Image spectral_image(const Scene& scene, const Film& film) {
   PixelWriter write(image);
   for (int y = film.crop().y0; y < film.crop().y1; ++y) {
     for (int x = film.crop().x0; x < film.crop().x1; ++x) {
-      write.add(product(to_rgb, film.pixel(x, y).xyz));
+      write.add(transformed(to_rgb, film.pixel(x, y).xyz));
       for (int bin = 0; bin < bins; ++bin) write.add(film.spectral(x, y, bin));
     }
   }

@@ -5,21 +5,20 @@
 namespace karat {
 namespace {
 
-Allowed allowed_by(const ParameterInfo& info) { return {info.min, info.max, info.exclusive_min}; }
+// Numbers become floats, which are squared: larger ones would overflow.
+constexpr double kLargest = 1e18;
 
-// Vectors are stored as floats: a component must fit.
-Allowed component_allowed_by(const ParameterInfo& info) {
-  constexpr double kLargest = 1e30;
+Allowed allowed_by(const ParameterInfo& info) {
   return {std::max(info.min, -kLargest), std::min(info.max, kLargest), info.exclusive_min};
 }
 
 Vec3 read_vector3(const JsonValue& value, const ParameterInfo& info) {
-  const auto v = value.numbers(3, component_allowed_by(info));
+  const auto v = value.numbers(3, allowed_by(info));
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 Vec2 read_vector2(const JsonValue& value, const ParameterInfo& info) {
-  const auto v = value.numbers(2, component_allowed_by(info));
+  const auto v = value.numbers(2, allowed_by(info));
   return {static_cast<float>(v[0]), static_cast<float>(v[1])};
 }
 

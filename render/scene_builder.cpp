@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "render/parameter_reader.h"
 #include "render/transform_reader.h"
 #include "spectral/support/error.h"
@@ -116,6 +118,11 @@ SceneBuilder::PlacedShape SceneBuilder::read_shape(const JsonValue& value) {
   }
   const Transform transform = transform_of(value);
   shape.geometry = created(value, [&] { return transformed(type.create(parameters), transform); });
+  const double area = surface_area(shape.geometry);
+  if (!(area > 0.0) || !std::isfinite(area)) {
+    value.fail(
+        fmt::format("the shape has an area of {:g}: its size or transform is out of reach", area));
+  }
   any_surface_ = true;
   return shape;
 }
@@ -183,11 +190,16 @@ void SceneBuilder::read_lights(const JsonValue& document) {
 
 // A black image is a legal answer, but seldom the one that was wanted: say what makes it black.
 void SceneBuilder::warn_if_black() {
-  bool only_delta_lights = true;
-  for (const auto& light : scene_.lights) only_delta_lights &= light->is_delta();
+  bool only_delta_lights = true, any_power = false;
+  for (const auto& light : scene_.lights) {
+    only_delta_lights &= light->is_delta();
+    any_power |= light->power(1.0f) > 0.0f;
+  }
   if (scene_.lights.empty()) {
     context_.warnings->push_back(
         "the image will be black: the scene has no \"lights\" and no shape with \"emission\"");
+  } else if (!any_power) {
+    context_.warnings->push_back("the image will be black: every light and emission is zero");
   } else if (!any_surface_ && only_delta_lights) {
     context_.warnings->push_back(
         "the image will be black: there are no shapes, and point-like lights cannot be seen");

@@ -5,8 +5,9 @@
 namespace karat {
 namespace {
 
+constexpr double kLargest = 1e12;
+
 Vec3 read_vector(const JsonValue& value) {
-  constexpr double kLargest = 1e30;
   const auto v = value.numbers(3, {-kLargest, kLargest});
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -24,7 +25,7 @@ Transform read_rotate(const JsonValue& value) {
 
 Transform read_scale(const JsonValue& value) {
   if (value.json().is_number()) {
-    const auto s = static_cast<float>(value.number());
+    const auto s = static_cast<float>(value.number({-kLargest, kLargest}));
     return Transform::scale({s, s, s});
   }
   return Transform::scale(read_vector(value));
@@ -47,7 +48,7 @@ Transform read_matrix(const JsonValue& value) {
   if (!value.json().is_array() || value.size() != count) {
     value.fail_found("12 or 16 numbers, row by row");
   }
-  const auto numbers = value.numbers(count, {-1e30, 1e30});
+  const auto numbers = value.numbers(count, {-kLargest, kLargest});
   const auto m = [&](std::size_t row, std::size_t column) {
     return static_cast<float>(numbers[4 * row + column]);
   };
