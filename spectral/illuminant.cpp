@@ -1,5 +1,7 @@
 #include "spectral/illuminant.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "spectral/colour.h"
@@ -29,6 +31,19 @@ class RelativePlanckSpectrum final : public Spectrum {
   std::string description_;
 };
 
+class EqualEnergySpectrum final : public Spectrum {
+ public:
+  EqualEnergySpectrum(double value, std::string description)
+      : value_(value), description_(std::move(description)) {}
+  double operator()(double) const override { return value_; }
+  double mean(WavelengthRange) const override { return value_; }
+  std::string description() const override { return description_; }
+
+ private:
+  double value_;
+  std::string description_;
+};
+
 double positive(const SpectrumFile& file, const std::string& path, const std::string& key) {
   const double value = file.number(key);
   if (!(value > 0.0)) throw InputError(path, key, "must be above 0");
@@ -41,7 +56,9 @@ SpectrumPtr illuminant(const std::string& name) {
   const std::string path = named_data_file("illuminants", "illuminant", name);
   const SpectrumFile file(path);
   const std::string description = file.text("description");
-  if (file.has("constant")) return constant_spectrum(positive(file, path, "constant"));
+  if (file.has("constant")) {
+    return std::make_shared<EqualEnergySpectrum>(positive(file, path, "constant"), description);
+  }
   if (file.has("planck")) {
     const double exponent_nm = positive(file, path, "planck/c2_nm_kelvin") /
                                positive(file, path, "planck/temperature_kelvin");
@@ -64,8 +81,7 @@ SpectrumPtr normalised(SpectrumPtr spectrum) {
 SpectrumPtr daylight_spectrum(double temperature_kelvin) {
   const double t = temperature_kelvin;
   if (!(t >= 4000.0 && t <= 25000.0)) {
-    throw InputError("daylight is defined from 4000 to 25000 K, not at " + std::to_string(t) +
-                     " K");
+    throw InputError(fmt::format("daylight is defined from 4000 to 25000 K, not at {:g} K", t));
   }
   const double r = 1000.0 / t;
   const double x = t <= 7000.0 ? 0.244063 + r * (0.09911 + r * (2.9678 - r * 4.6070))
@@ -84,8 +100,8 @@ SpectrumPtr daylight_spectrum(double temperature_kelvin) {
     nm.push_back(l);
     values.push_back((*s0)(l) + m1 * (*s1)(l) + m2 * (*s2)(l));
   }
-  return zero_outside_range(table_spectrum(std::move(nm), std::move(values),
-                                           "daylight " + std::to_string(std::lround(t)) + " K"));
+  return zero_outside_range(
+      table_spectrum(std::move(nm), std::move(values), fmt::format("daylight {:g} K", t)));
 }
 
 }  // namespace karat

@@ -1,5 +1,7 @@
 #include "spectral/rgb_to_spectrum.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,10 @@ namespace {
 using Vector3 = std::array<double, 3>;
 
 constexpr WavelengthRange kFitted{360.0, 830.0};
+
+std::string text(const Rgb& rgb) {
+  return fmt::format("[{:g}, {:g}, {:g}]", rgb[0], rgb[1], rgb[2]);
+}
 
 double scaled_wavelength(double nm) { return (nm - 595.0) / 235.0; }
 
@@ -38,10 +44,7 @@ class SigmoidSpectrum final : public Spectrum {
     return sigmoid(parabola(coefficients_, scaled_wavelength(inside)));
   }
   WavelengthRange range() const override { return kFitted; }
-  std::string description() const override {
-    return "reflectance of RGB (" + std::to_string(rgb_[0]) + ", " + std::to_string(rgb_[1]) +
-           ", " + std::to_string(rgb_[2]) + ")";
-  }
+  std::string description() const override { return "reflectance of RGB " + text(rgb_); }
 
  private:
   Vector3 coefficients_;
@@ -150,11 +153,6 @@ Vector3 fitted(Vector3 c, const Rgb& target, int most_steps) {
     }
   }
   return c;
-}
-
-std::string text(const Rgb& rgb) {
-  return "[" + std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
-         std::to_string(rgb[2]) + "]";
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace karat {
 // A smooth reflectance within [0, 1] whose colour under D65 (1931 observer, 1 nm sums, matrix of
 // linear sRGB) is `rgb`, each channel in [0, 1] (otherwise InputError). Known in 360 to 830 nm.
 //
-// (0, 0, 0) and (1, 1, 1) are the constants 0 and 1. Every other colour is met within 1e-4 as long
-// as a sigmoid of a parabola can reach it; nearer than 1e-3 to a face of the cube (a channel of 0
-// or 1 beside others that are not) it may not, and the reflectance is the nearest found, whose
-// error `rgb_reflectance_fit` reports. A table's D65 is not quite the white of the sRGB matrix: the
-// constant 1 has the colour (1.0002, 0.9999, 0.9998), so grey is neutral to 2.4e-4, not exactly
-// flat.
+// The colour is met within 1e-4 everywhere, faces, edges and corners of the cube included, except
+// near white (all channels above 0.995, one above 0.9999), where the error grows to 2.4e-4: the
+// white of the D65 table is not quite that of the sRGB matrix, and the perfect reflector has the
+// colour (1.0002, 0.9999, 0.9998). (0, 0, 0) and (1, 1, 1) are exactly the constants 0 and 1; a
+// grey between them is flat to 0.1 %. Saturated colours are nearly steps or bands, as they must be
+// to be that saturated. Outside 360 to 830 nm the end values hold. About 0.3 ms a colour.
 SpectrumPtr rgb_reflectance_spectrum(const Rgb& rgb);
 
 // The solution in numbers: reflectance = S(c0 + c1 t + c2 t^2) with t = (wavelength - 595 nm) / 235

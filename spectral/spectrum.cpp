@@ -1,5 +1,7 @@
 #include "spectral/spectrum.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,7 +14,7 @@ class ConstantSpectrum final : public Spectrum {
   explicit ConstantSpectrum(double value) : value_(value) {}
   double operator()(double) const override { return value_; }
   double mean(WavelengthRange) const override { return value_; }
-  std::string description() const override { return "constant " + std::to_string(value_); }
+  std::string description() const override { return fmt::format("constant {:g}", value_); }
 
  private:
   double value_;
@@ -28,8 +30,11 @@ class TableSpectrum final : public Spectrum {
     if (nm_.empty() || nm_.size() != values_.size()) {
       throw std::invalid_argument("a table needs as many values as wavelengths, at least one");
     }
-    for (std::size_t i = 1; i < nm_.size(); ++i) {
-      if (!(nm_[i] > nm_[i - 1])) throw std::invalid_argument("wavelengths must increase");
+    for (std::size_t i = 0; i < nm_.size(); ++i) {
+      if (!std::isfinite(nm_[i]) || !std::isfinite(values_[i])) {
+        throw std::invalid_argument("a table's wavelengths and values must be finite");
+      }
+      if (i > 0 && !(nm_[i] > nm_[i - 1])) throw std::invalid_argument("wavelengths must increase");
     }
   }
 
@@ -70,7 +75,8 @@ class TableSpectrum final : public Spectrum {
 class BlackbodySpectrum final : public Spectrum {
  public:
   explicit BlackbodySpectrum(double kelvin) : kelvin_(kelvin) {
-    if (!(kelvin > 0.0)) throw std::invalid_argument("a blackbody needs a temperature above 0 K");
+    if (!(kelvin > 0.0 && std::isfinite(kelvin)))
+      throw std::invalid_argument("a blackbody needs a finite temperature above 0 K");
   }
 
   // Planck 1901: L = 2 h c^2 / lambda^5 / (exp(h c / (lambda k T)) - 1), per metre; times 1e-9 per
@@ -81,7 +87,7 @@ class BlackbodySpectrum final : public Spectrum {
     const double exponent = kPlanck * kLight / (m * kBoltzmann * kelvin_);
     return 2.0 * kPlanck * kLight * kLight / (m * m * m * m * m) / std::expm1(exponent) * 1e-9;
   }
-  std::string description() const override { return "blackbody " + std::to_string(kelvin_) + " K"; }
+  std::string description() const override { return fmt::format("blackbody {:g} K", kelvin_); }
 
  private:
   double kelvin_;
@@ -97,7 +103,7 @@ class ScaledSpectrum final : public Spectrum {
   }
   WavelengthRange range() const override { return spectrum_->range(); }
   std::string description() const override {
-    return std::to_string(factor_) + " x " + spectrum_->description();
+    return fmt::format("{:g} x {}", factor_, spectrum_->description());
   }
 
  private:

@@ -22,9 +22,7 @@ class Spectrum {
   virtual double operator()(double wavelength_nm) const = 0;
 
   // Where the spectrum is known: unbounded for formulas, the first and last sample for tables.
-  virtual WavelengthRange range() const {
-    return {0.0, std::numeric_limits<double>::infinity()};
-  }
+  virtual WavelengthRange range() const { return {0.0, std::numeric_limits<double>::infinity()}; }
 
   // What the spectrum is, for logs and metadata: "blackbody 3000 K", "illuminant D65".
   virtual std::string description() const = 0;
@@ -37,8 +35,8 @@ using SpectrumPtr = std::shared_ptr<const Spectrum>;
 
 SpectrumPtr constant_spectrum(double value);
 
-// Piecewise linear between samples. `wavelengths_nm` strictly increases and is as long as `values`;
-// throws std::invalid_argument otherwise.
+// Piecewise linear between samples. `wavelengths_nm` strictly increases and is as long as `values`,
+// and all numbers are finite; throws std::invalid_argument otherwise.
 SpectrumPtr table_spectrum(std::vector<double> wavelengths_nm, std::vector<double> values,
                            std::string description);
 

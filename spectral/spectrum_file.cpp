@@ -63,6 +63,7 @@ SpectrumFile::SpectrumFile(std::string path)
   if (!json_->is_object()) throw InputError(path_, "", "must hold one JSON object");
 }
 SpectrumFile::~SpectrumFile() = default;
+SpectrumFile::SpectrumFile(SpectrumFile&&) noexcept = default;
 
 void SpectrumFile::fail(const std::string& key, const std::string& message) const {
   throw InputError(path_, key, message);
@@ -101,8 +102,8 @@ std::vector<double> SpectrumFile::array(const std::string& key) const {
 
 SpectrumPtr SpectrumFile::table(const std::string& key, std::string description) const {
   const double start = number("wavelength_nm/start"), step = number("wavelength_nm/step");
-  if (!(start > 0.0)) fail("wavelength_nm/start", "must be above 0");
-  if (!(step >= 1e-3)) fail("wavelength_nm/step", "must be at least 0.001");
+  if (!(start > 0.0 && start <= 1e6)) fail("wavelength_nm/start", "must lie above 0, up to 1e6");
+  if (!(step >= 1e-3 && step <= 1e3)) fail("wavelength_nm/step", "must lie within 0.001 and 1000");
   std::vector<double> values = array(key);
   std::vector<double> wavelengths_nm(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -16,6 +16,7 @@ class SpectrumFile {
  public:
   explicit SpectrumFile(std::string path);
   ~SpectrumFile();
+  SpectrumFile(SpectrumFile&&) noexcept;
 
   bool has(const std::string& key) const;
   std::string text(const std::string& key) const;

@@ -215,6 +215,43 @@ TEST_CASE("Adaptation maps white to white and back", "[colour]") {
   CHECK_THROWS_WITH(adaptation_method("bradfort"), Catch::Contains("bradford"));
 }
 
+// Doubling one cone response alone shows the cone matrix: the adaptation is the identity plus the
+// outer product of a column of its inverse and the row of the matrix. Inverses as their papers
+// print them.
+TEST_CASE("Adaptations use the published cone spaces", "[colour]") {
+  struct ConeSpace {
+    Adaptation method;
+    Matrix3 cones, inverse;
+  };
+  const ConeSpace spaces[] = {
+      {Adaptation::kBradford,
+       {{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}},
+       {{{0.9869929, -0.1470543, 0.1599627},
+         {0.4323053, 0.5183603, 0.0492912},
+         {-0.0085287, 0.0400428, 0.9684867}}}},
+      {Adaptation::kCat16,
+       {{{0.401288, 0.650173, -0.051461},
+         {-0.250268, 1.204414, 0.045854},
+         {-0.002079, 0.048952, 0.953127}}},
+       {{{1.86206786, -1.01125463, 0.14918677},
+         {0.38752654, 0.62144744, -0.00897398},
+         {-0.01584150, -0.03412294, 1.04996444}}}}};
+  for (const ConeSpace& space : spaces) {
+    const Xyz from = transformed(space.inverse, {1, 1, 1});
+    for (std::size_t cone = 0; cone < 3; ++cone) {
+      Xyz to = from;
+      for (std::size_t i = 0; i < 3; ++i) to[i] += space.inverse[i][cone];
+      const Matrix3 m = adaptation_matrix(from, to, space.method);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          const double expected = kIdentity3[i][j] + space.inverse[i][cone] * space.cones[cone][j];
+          CHECK(m[i][j] == Approx(expected).epsilon(0).margin(1e-6));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("Another observer's white becomes the white of linear sRGB", "[colour]") {
   const Observer& ten_degrees = observer("cie1964");
   const Xyz white = white_xyz("D65", ten_degrees);

@@ -151,6 +151,7 @@ TEST_CASE("Daylight tables are the daylight components at their temperature", "[
 TEST_CASE("A normalised spectrum has Y = 1", "[illuminant]") {
   for (const std::string& name : illuminant_names()) {
     const SpectrumPtr s = normalised(illuminant(name));
+    CHECK(s->description().find("illuminant " + name) != std::string::npos);
     CHECK(xyz_of_emission(*s, observer("cie1931"))[1] == Approx(1.0).epsilon(1e-12));
   }
   CHECK_THROWS_AS(normalised(constant_spectrum(0.0)), InputError);

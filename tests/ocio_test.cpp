@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -26,7 +28,8 @@ std::array<float, 3> shown(const OcioView& view, std::array<float, 3> rgb) {
 struct TemporaryFile {
   std::string path;
   TemporaryFile(const std::string& name, const std::string& text)
-      : path((std::filesystem::temp_directory_path() / name).string()) {
+      : path(
+            (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + name)).string()) {
     std::ofstream(path) << text;
   }
   ~TemporaryFile() { std::filesystem::remove(path); }
@@ -98,7 +101,7 @@ TEST_CASE("Rec.709 goes to ACES2065-1 and back", "[ocio]") {
     CHECK(m[i][0] + m[i][1] + m[i][2] == Approx(1.0).epsilon(1e-6));  // white stays white
   }
   // The raw view of a config whose only matrix is 1/2 shows what was handed over.
-  const TemporaryFile file("karat_ocio_half.ocio", kOtherConfig);
+  const TemporaryFile file("_karat_ocio_half.ocio", kOtherConfig);
   const OcioView half(file.path);
   CHECK(half.display() == "Studio");
   for (std::size_t c = 0; c < 3; ++c) {
@@ -158,8 +161,23 @@ TEST_CASE("The other displays show the same colour in their own primaries", "[oc
   }
 }
 
+TEST_CASE("A large image is the same as its pixels one by one", "[ocio]") {
+  const OcioView view(own_config(), "sRGB", "ACES SDR");
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(0.0f, 4.0f);
+  std::vector<float> image(3 * 10001);
+  for (float& v : image) v = uniform(random);
+  std::vector<float> whole = image;
+  view.apply(whole.data(), 10001);
+  for (std::size_t i = 0; i < 10001; i += 97) {
+    const auto one = shown(view, {image[3 * i], image[3 * i + 1], image[3 * i + 2]});
+    for (std::size_t c = 0; c < 3; ++c) CHECK(whole[3 * i + c] == one[c]);
+  }
+  view.apply(nullptr, 0);
+}
+
 TEST_CASE("The configuration comes from the argument, then $OCIO, then Karat", "[ocio]") {
-  const TemporaryFile file("karat_ocio_order.ocio", kOtherConfig);
+  const TemporaryFile file("_karat_ocio_order.ocio", kOtherConfig);
   CHECK(OcioView().config_path() == own_config());
   const OcioVariable variable(file.path);
   CHECK(OcioView().config_path() == file.path);
@@ -175,9 +193,9 @@ TEST_CASE("Errors of the view name the choices", "[ocio]") {
   CHECK_THROWS_AS(OcioView(own_config()).views("none"), InputError);
   CHECK_THROWS_WITH(OcioView("/nonexistent/config.ocio"),
                     Catch::Contains("/nonexistent/config.ocio"));
-  const TemporaryFile no_role("karat_ocio_no_role.ocio", kNoRole);
+  const TemporaryFile no_role("_karat_ocio_no_role.ocio", kNoRole);
   CHECK_THROWS_WITH(OcioView(no_role.path), Catch::Contains("aces_interchange"));
-  const TemporaryFile garbage("karat_ocio_garbage.ocio", "{]");
+  const TemporaryFile garbage("_karat_ocio_garbage.ocio", "{]");
   CHECK_THROWS_AS(OcioView(garbage.path), InputError);
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("Planck's law at the ends of its range", "[spectrum]") {
   const double m = nm * 1e-9,
                rayleigh_jeans = 2.0 * 299792458.0 * 1.380649e-23 * 5000.0 / std::pow(m, 4);
   CHECK((*blackbody_spectrum(5000.0))(nm) == Approx(rayleigh_jeans * 1e-9).epsilon(1e-5));
-  for (const double kelvin : {0.0, -1.0, std::nan("")}) {
+  for (const double kelvin : {0.0, -1.0, std::nan(""), static_cast<double>(INFINITY)}) {
     CHECK_THROWS_AS(blackbody_spectrum(kelvin), std::invalid_argument);
   }
 }
@@ -153,6 +153,9 @@ TEST_CASE("A table that is none is refused", "[spectrum]") {
   CHECK_THROWS_AS(table_spectrum({500, 400}, {1, 2}, ""), std::invalid_argument);
   CHECK_THROWS_AS(table_spectrum({400, 400}, {1, 2}, ""), std::invalid_argument);
   CHECK_THROWS_AS(table_spectrum({400, std::nan("")}, {1, 2}, ""), std::invalid_argument);
+  CHECK_THROWS_AS(table_spectrum({400, INFINITY}, {1, 2}, ""), std::invalid_argument);
+  CHECK_THROWS_AS(table_spectrum({std::nan("")}, {1}, ""), std::invalid_argument);
+  CHECK_THROWS_AS(table_spectrum({400, 500}, {1, std::nan("")}, ""), std::invalid_argument);
 }
 
 TEST_CASE("Sampled spectra: lanes and sums", "[spectrum]") {
