@@ -134,8 +134,8 @@ TEST_CASE("Daylight tables are the daylight components at their temperature", "[
     const char* name;
     double kelvin;
   };
-  for (const Named& d :
-       {Named{"D50", 5000}, Named{"D55", 5500}, Named{"D65", 6500}, Named{"D75", 7500}}) {
+  for (const Named& d : {Named{"D50", 5000}, Named{"D55", 5500}, Named{"D60", 6000},
+                         Named{"D65", 6500}, Named{"D75", 7500}}) {
     const SpectrumPtr table = illuminant(d.name);
     const SpectrumPtr computed = daylight_spectrum(d.kelvin * 1.4388 / 1.4380);
     for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
@@ -146,6 +146,29 @@ TEST_CASE("Daylight tables are the daylight components at their temperature", "[
   }
   CHECK_THROWS_AS(daylight_spectrum(3999.0), InputError);
   CHECK_THROWS_AS(daylight_spectrum(std::nan("")), InputError);
+}
+
+// CIE 184: indoor daylight is daylight through one window glass, so both ratios are its
+// transmittance (in units of the value at 560 nm), within the rounding of the last of four digits.
+TEST_CASE("Indoor daylight is daylight through the same glass", "[illuminant]") {
+  const SpectrumPtr d50 = illuminant("D50"), d65 = illuminant("D65"), id50 = illuminant("ID50"),
+                    id65 = illuminant("ID65");
+  for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
+    INFO(nm);
+    CHECK((*id50)(nm) / (*d50)(nm) == Approx((*id65)(nm) / (*d65)(nm)).epsilon(0).margin(4e-4));
+  }
+}
+
+TEST_CASE("The filtered tungsten of B and C is smooth", "[illuminant]") {
+  for (const char* name : {"B", "C"}) {
+    const SpectrumPtr s = illuminant(name);
+    for (double nm = s->range().min_nm + 10.0; nm <= s->range().max_nm - 10.0; nm += 5.0) {
+      const double fourth =
+          (*s)(nm - 10) - 4 * (*s)(nm - 5) + 6 * (*s)(nm)-4 * (*s)(nm + 5) + (*s)(nm + 10);
+      INFO(name << " at " << nm);
+      CHECK(std::abs(fourth) < 5.0);  // 4 % of the peak: an error of 0.8 in one value shows
+    }
+  }
 }
 
 TEST_CASE("A normalised spectrum has Y = 1", "[illuminant]") {

@@ -40,6 +40,12 @@ TEST_CASE("Sums of the observers at 1 nm are those of the standards", "[observer
     CHECK(sum_at_1_nm(*any.xbar, any.range) == Approx(any.ybar_integral).epsilon(5e-4));
     CHECK(sum_at_1_nm(*any.zbar, any.range) == Approx(any.ybar_integral).epsilon(5e-4));
   }
+  // CIE 170-2 normalises its three curves to equal sums.
+  for (const char* name : {"cie2015_2deg", "cie2015_10deg"}) {
+    const Observer& equal = observer(name);
+    CHECK(sum_at_1_nm(*equal.xbar, equal.range) == Approx(equal.ybar_integral).epsilon(1e-7));
+    CHECK(sum_at_1_nm(*equal.zbar, equal.range) == Approx(equal.ybar_integral).epsilon(1e-7));
+  }
   CHECK(observer("cie1964").ybar_integral == Approx(116.66).epsilon(0).margin(0.005));
 }
 
