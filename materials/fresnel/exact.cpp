@@ -26,14 +26,14 @@ enum Plane { kReal, kRealRest, kImaginary, kPlanes };
 // a surface reflects 1 - 1.4e-4 at normal incidence.
 constexpr double kLargestIndex = 3e4;
 
-// The least L^2: below every value but an exact zero, which is the critical angle itself. The least
-// denominator: only for a matched index (n = 1, k = 0) at exactly 90 degrees is one zero; its
-// numerator is zero as well, and so then is the reflectance.
+// The least L^2, reached at the critical angle itself, and the least denominator. The cube of the
+// former is above the latter, so that at exactly 90 degrees even a matched index (n = 1, k = 0), for
+// which the formula is 0/0, reflects 1 as every other one does.
 template <typename Real>
 struct Floor;
 template <>
 struct Floor<float> {
-  static constexpr float square = 1e-16f, denominator = 1e-36f;
+  static constexpr float square = 1e-12f, denominator = 1e-37f;
 };
 template <>
 struct Floor<double> {

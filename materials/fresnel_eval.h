@@ -1,0 +1,26 @@
+// Fresnel models at single combinations of index and angle: command line, studies, tests.
+#pragma once
+
+#include <vector>
+
+#include "materials/fresnel.h"
+
+namespace karat {
+
+struct FresnelQuery {
+  double n = 1.0, k = 0.0;  // absolute; both are divided by n_exterior
+  double theta_deg = 0.0;   // in [0, 90]
+  double n_exterior = 1.0;  // above 0
+};
+
+enum class FresnelPrecision {
+  kFloat,   // the renderer's own kernel: prepare() and reflectance() on the lattice
+  kDouble,  // FresnelModel::evaluate
+};
+
+// One result per query, in their order. s and p are absent where the model knows only their mean.
+std::vector<FresnelModel::Scalar> evaluate_fresnel(const FresnelModel& model,
+                                                   const std::vector<FresnelQuery>& queries,
+                                                   FresnelPrecision precision);
+
+}  // namespace karat
