@@ -77,7 +77,11 @@ std::map<std::string, std::string> IndexFolder::list() const {
   for (const std::string& id : catalogue().ids) {
     const auto& paths = catalogue().paths.at(id);
     const bool own_shelf = paths.front().starts_with(id.substr(0, id.find('/') + 1));
-    if (paths.size() == 1 && own_shelf) id_of_path.emplace(paths.front(), id);
+    // find() takes the usual path of an id first: the catalogue gives some ids another table's
+    // file.
+    const std::string usual = usual_path(id);
+    const bool taken = usual != paths.front() && existing(usual).has_value();
+    if (paths.size() == 1 && own_shelf && !taken) id_of_path.emplace(paths.front(), id);
   }
   std::map<std::string, std::string> tables;
   std::error_code error;

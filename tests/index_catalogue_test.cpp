@@ -115,6 +115,23 @@ TEST_CASE("an id of the catalogue names its file; two files are an error that li
   CHECK(find_index_table("specs/maker/old/G2.yml")->at(500.0).n == 1.9);
 }
 
+TEST_CASE("every listed name finds its own file, even where the catalogue is wrong",
+          "[index][catalogue]") {
+  const TableFolder folder;
+  folder.write("catalog-nk.yml",
+               "- SHELF: main\n  content:\n    - BOOK: Xy\n      content:\n"
+               "        - PAGE: A\n          data: main/Zz/nk/A.yml\n");
+  folder.table("main/Xy/nk/A.yml", "1.25");
+  folder.table("main/Zz/nk/A.yml", "1.75");
+  int seen = 0;
+  for (const IndexTableEntry& entry : list_index_tables(true)) {
+    INFO(entry.name);
+    CHECK(find_index_table(entry.name)->provenance().file == entry.file);
+    seen += entry.file.starts_with(folder.path());
+  }
+  CHECK(seen == 2);
+}
+
 TEST_CASE("a table that is bad does not hinder the others", "[index][catalogue]") {
   const TableFolder folder;
   folder.table("main/Xy/nk/Good.yml", "1.25");
