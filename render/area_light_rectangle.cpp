@@ -16,6 +16,8 @@ namespace {
 // Below, float noise in the angles of the spherical rectangle would show in the sampled positions,
 // and uniform points serve as well.
 constexpr float kSmallestSolidAngle = 1e-3f;
+// Above, the corners' sum is accurate to a few units in the last place.
+constexpr float kLargeSolidAngle = 0.1f;
 // Points nearer to the light's plane, relative to its size, see it edge-on.
 constexpr float kNearPlane = 1e-6f;
 
@@ -25,10 +27,15 @@ struct View {
   float solid_angle;  // 0: cannot be seen
 };
 
-// (Numerator, denominator) of tan(half the solid angle) of a triangle of unit vectors, given their
-// triple product: van Oosterom and Strackee, eq. 8.
-Vec2 half_tangent(float triple, float ab, float bc, float ca) {
-  return {triple, 1.0f + ab + bc + ca};
+// Complex numbers as (real, imaginary): their arguments add up in a product.
+Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+float argument(Vec2 a) { return std::atan2(a.y, a.x); }
+
+// A number whose argument is half the solid angle of a triangle of unit vectors, given their triple
+// product: van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed.
+// Eng. 30(2), 1983, eq. 8.
+Vec2 half_triangle(float triple, float ab, float bc, float ca) {
+  return {1.0f + ab + bc + ca, triple};
 }
 
 class RectangleLight final : public AreaLight {
@@ -83,39 +90,52 @@ class RectangleLight final : public AreaLight {
   }
 
   float solid_angle(const View& v) const {
-    const float zz = v.z * v.z;
+    const float z = -v.z, zz = z * z;
     const float xx0 = v.x0 * v.x0, xx1 = v.x1 * v.x1, yy0 = v.y0 * v.y0, yy1 = v.y1 * v.y1;
     const float i00 = 1.0f / std::sqrt(xx0 + yy0 + zz), i10 = 1.0f / std::sqrt(xx1 + yy0 + zz);
     const float i01 = 1.0f / std::sqrt(xx0 + yy1 + zz), i11 = 1.0f / std::sqrt(xx1 + yy1 + zz);
+    // The rectangle between the foot of the perpendicular and a corner (x, y) fills the solid angle
+    // atan(x y / (z r)), r the corner's distance.
+    const Vec2 corners =
+        product(product({z * i00, v.x0 * v.y0 * i00 * i00}, {z * i11, v.x1 * v.y1 * i11 * i11}),
+                product({z * i10, -v.x1 * v.y0 * i10 * i10}, {z * i01, -v.x0 * v.y1 * i01 * i01}));
+    const float large = argument(corners);
+    if (large > kLargeSolidAngle) return large;
+    // Between pi and 2 pi; nearly 2 pi comes back as nearly 0, but only right above the rectangle.
+    const bool above = v.x0 < 0.0f && v.x1 > 0.0f && v.y0 < 0.0f && v.y1 > 0.0f;
+    const bool close = above && z < 0.1f * std::min(width_, height_);
+    if (large < -kLargeSolidAngle || close) return large + 2.0f * kPi;
+
     const float xx = v.x0 * v.x1 + zz, yy = v.y0 * v.y1 + zz;
     const float diagonal = (xx + v.y0 * v.y1) * i00 * i11;
-    const float volume = -v.z * width_ * height_ * i00 * i11;
+    const float volume = z * width_ * height_ * i00 * i11;
     const Vec2 a =
-        half_tangent(volume * i10, (xx + yy0) * i00 * i10, (yy + xx1) * i10 * i11, diagonal);
+        half_triangle(volume * i10, (xx + yy0) * i00 * i10, (yy + xx1) * i10 * i11, diagonal);
     const Vec2 b =
-        half_tangent(volume * i01, (xx + yy1) * i01 * i11, (yy + xx0) * i00 * i01, diagonal);
-    // The two halves add up: multiply them as complex numbers.
-    return 2.0f * std::atan2(a.x * b.y + b.x * a.y, a.y * b.y - a.x * b.x);
+        half_triangle(volume * i01, (xx + yy1) * i01 * i11, (yy + xx0) * i00 * i01, diagonal);
+    const float half = argument(product(a, b));
+    return 2.0f * (half < 0.0f ? half + kPi : half);
   }
 
   // A point of the rectangle in its axes. Ureña et al., sec. 3: n_i is the z component of the
   // normal of the plane through the point and edge i; the angles are gamma_i = acos(-n_i n_i+1).
   static Vec3 spherical_point(const View& v, Vec2 u) {
     const float zz = v.z * v.z;
-    const float n0 = -v.y0 / std::sqrt(zz + v.y0 * v.y0);
-    const float n2 = v.y1 / std::sqrt(zz + v.y1 * v.y1), n3 = -v.x0 / std::sqrt(zz + v.x0 * v.x0);
+    const float q0 = 1.0f / (zz + v.y0 * v.y0), q2 = 1.0f / (zz + v.y1 * v.y1);
+    const float q3 = 1.0f / (zz + v.x0 * v.x0);
+    const float n0 = -v.y0 * std::sqrt(q0), n2 = v.y1 * std::sqrt(q2), n3 = -v.x0 * std::sqrt(q3);
+    // 1 - n_i^2 without cancellation.
+    const float m0 = zz * q0, m2 = zz * q2, m3 = zz * q3;
     // phi = u S - gamma_2 - gamma_3, by the cosines and sines of its parts.
-    const float c2 = -n2 * n3, c3 = -n3 * n0;
-    const float s2 = std::sqrt(std::max(0.0f, 1.0f - c2 * c2));
-    const float s3 = std::sqrt(std::max(0.0f, 1.0f - c3 * c3));
+    const float c2 = -n2 * n3, s2 = std::sqrt(m2 + n2 * n2 * m3);
+    const float c3 = -n3 * n0, s3 = std::sqrt(m3 + n3 * n3 * m0);
     const float c23 = c2 * c3 - s2 * s3, s23 = s2 * c3 + c2 * s3;
     const float angle = u.x * v.solid_angle;
     const float c = std::cos(angle), s = std::sin(angle);
     const float cos_phi = c * c23 + s * s23, sin_phi = s * c23 - c * s23;
-    // f = (cos phi n0 - n2) / sin phi; x = -cu z / sqrt(1 - cu^2) with cu = sign(f) / sqrt(f^2 +
-    // n0^2).
+    // f = (cos phi n0 - n2) / sin phi, cu = sign(f) / sqrt(f^2 + n0^2), x = -cu z / sqrt(1 - cu^2).
     const float f = cos_phi * n0 - n2;
-    const float rest = f * f - sin_phi * sin_phi * (1.0f - n0 * n0);
+    const float rest = f * f - sin_phi * sin_phi * m0;
     const float sign = (f < 0.0f) != (sin_phi < 0.0f) ? -1.0f : 1.0f;
     const float x_free = -sign * v.z * std::abs(sin_phi) / std::sqrt(std::max(rest, 1e-20f));
     const float x = std::min(std::max(x_free, v.x0), v.x1);

@@ -199,30 +199,6 @@ class Collector {
 
 }  // namespace
 
-std::vector<Vec3> vertex_normals(const Mesh& mesh, std::size_t first_index) {
-  std::vector<Vec3> normals(mesh.positions.size());
-  const auto step = static_cast<std::size_t>(mesh.face_vertices);
-  for (std::size_t face = first_index; face + step <= mesh.indices.size(); face += step) {
-    for (std::size_t i = 0; i < step; ++i) {
-      const std::uint32_t here = mesh.indices[face + i];
-      const Vec3 to_next =
-          mesh.positions[mesh.indices[face + (i + 1) % step]] - mesh.positions[here];
-      const Vec3 to_last =
-          mesh.positions[mesh.indices[face + (i + step - 1) % step]] - mesh.positions[here];
-      const Vec3 n = cross(to_next, to_last);
-      const float twice_area = length(n);
-      if (!(twice_area > 0.0f)) continue;
-      const float angle = std::atan2(twice_area, dot(to_next, to_last));
-      normals[here] += n * (angle / twice_area);
-    }
-  }
-  for (Vec3& n : normals) {
-    const float l = length(n);
-    n = l > 0.0f ? n / l : Vec3{0, 0, 1};
-  }
-  return normals;
-}
-
 Mesh read_mesh_file(const std::string& path) {
   check_file(path);
   if (extension_of(path) == ".ply") check_ply_header(path);
