@@ -27,8 +27,8 @@ enum Plane { kReal, kRealRest, kImaginary, kPlanes };
 constexpr double kLargestIndex = 3e4;
 
 // The least L^2, reached at the critical angle itself, and the least denominator. The cube of the
-// former is above the latter, so that at exactly 90 degrees even a matched index (n = 1, k = 0), for
-// which the formula is 0/0, reflects 1 as every other one does.
+// former is above the latter, so that at exactly 90 degrees even a matched index (n = 1, k = 0),
+// for which the formula is 0/0, reflects 1 as every other one does.
 template <typename Real>
 struct Floor;
 template <>

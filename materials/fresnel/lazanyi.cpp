@@ -5,6 +5,8 @@
 //
 // Because 1 - F0 = 4 n / ((n + 1)^2 + k^2) this is F0 + (1 - F0)(1 - cos)^5: the model "schlick".
 // Both stand here because both names are in use; a test holds them equal.
+#include <algorithm>
+
 #include "materials/fresnel_terms.h"
 
 namespace karat {
@@ -40,7 +42,8 @@ class LazanyiFresnel final : public FresnelModel {
     const auto [n, k] = index;
     const double x = fifth_power(1.0 - cos_theta);
     const double numerator = (n - 1.0) * (n - 1.0) + 4.0 * n * x + k * k;
-    return {std::nullopt, std::nullopt, numerator / ((n + 1.0) * (n + 1.0) + k * k)};
+    const double r = numerator / ((n + 1.0) * (n + 1.0) + k * k);
+    return {std::nullopt, std::nullopt, std::min(r, 1.0)};
   }
 };
 

@@ -6,6 +6,7 @@
 // a and alpha once per metal; here they are fitted per wavelength, by least squares against the
 // exact reflectance over angles spread evenly between 0 and 90 degrees. The difference may leave
 // [0, 1] where the fit is poor, and is clamped.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace {
 
 constexpr std::size_t kAngles = 64;
 constexpr std::size_t kExponents = 128;
-constexpr double kFirstExponent = 0.25, kLastExponent = 128.0;
+// Below an exponent of 1 the slope at normal incidence would be infinite, which no surface has.
+constexpr double kFirstExponent = 1.0, kLastExponent = 128.0;
 
 struct Fit {
   double a = 0.0, alpha = 1.0;

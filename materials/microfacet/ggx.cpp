@@ -42,6 +42,9 @@ class Ggx final : public MicrofacetDistribution {
     const float phi = 2.0f * kPi * u.x;
     const Vec3 h{stretched.x + radius * std::cos(phi), stretched.y + radius * std::sin(phi),
                  (1.0f - u.y) * (1.0f + stretched.z)};
+    // Opposite to w the sum is rounding alone; any visible normal will do where the density is
+    // zero.
+    if (!(dot(stretched, h) > 0.0f)) return {0.0f, 0.0f, 1.0f};
     return normalize({h.x * alpha.x, h.y * alpha.y, h.z});
   }
 };
