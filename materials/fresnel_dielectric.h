@@ -35,8 +35,8 @@ inline SampledSpectrum dielectric_reflectance(float cos_theta, const SampledSpec
   return r;
 }
 
-// Power transmittance where the cosines on both sides, both positive, are known to obey Snell's law:
-// the same function, with no difference of nearly equal numbers near total reflection.
+// Power transmittance where the cosines on both sides, both positive, are known to obey Snell's
+// law: the same function, with no difference of nearly equal numbers near total reflection.
 inline float dielectric_transmittance(float cos_theta, float cos_far, float eta) {
   const float s = cos_theta + eta * cos_far, p = eta * cos_theta + cos_far;
   return 2.0f * eta * cos_theta * cos_far * (1.0f / (s * s) + 1.0f / (p * p));

@@ -33,7 +33,8 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::reflected(Vec3 wo, Vec3 wi) 
 // eta^2 |i.h| / (o.h + eta i.h)^2 (Walter et al., equation 17).
 RoughDielectricBsdf::Densities RoughDielectricBsdf::refracted(Vec3 wo, Vec3 wi) const {
   const SampledSpectrum& etas = interface_.eta(wo.z);
-  const auto& [distribution, alpha] = roughness_;
+  const MicrofacetDistribution* distribution = roughness_.distribution;
+  const Vec2 alpha = roughness_.alpha;
   const float g1_o = distribution->g1(wo, alpha), g1_i = distribution->g1(wi, alpha);
   const float side = std::copysign(1.0f, wo.z);
   Densities all{SampledSpectrum(0.0f), SampledSpectrum(0.0f)};

@@ -50,7 +50,7 @@ Scattered integrate_facets(const Surface& surface, double alpha, Direction w, do
   };
   const double lambda_w = lambda(w);
   Scattered total{0.0, 0.0};
-  constexpr int kSteps = 700;
+  constexpr int kSteps = 400;
   for (int i = 0; i < kSteps; ++i) {
     const double t = (i + 0.5) * 0.5 * M_PI / kSteps, r = std::tan(t);
     const double ring = surface.slopes(r * r) * r * (1.0 + r * r) * (0.5 * M_PI / kSteps);
@@ -83,7 +83,7 @@ Scattered integrate_facets(const Surface& surface, double alpha, Direction w, do
 Scattered sampled(const Material& material, Vec3 wo) {
   BsdfStorage storage;
   const Bsdf& bsdf = *material.prepare({}, {3, 2}, Transport::kImportance, storage);
-  constexpr int kSide = 300, kLobes = 4;
+  constexpr int kSide = 150, kLobes = 4;
   double reflected = 0.0, refracted = 0.0;
   for (int i = 0; i < kSide; ++i) {
     for (int j = 0; j < kSide; ++j) {

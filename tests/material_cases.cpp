@@ -53,7 +53,7 @@ std::vector<Setting> numbers_of(const std::vector<ParameterInfo>& infos) {
   std::vector<Setting> settings;
   for (const ParameterInfo& info : infos) {
     if (info.type != ParameterType::kNumber || !(info.max - info.min < 1e6)) continue;
-    for (const double at : {0.05, 0.25, 0.5, 1.0}) {
+    for (const double at : {0.05, 0.3, 1.0}) {
       const double value = info.min + at * (info.max - info.min);
       settings.push_back({info.name + "=" + std::to_string(value), info.name, value});
     }
