@@ -140,9 +140,7 @@ double JsonValue::number(const Allowed& allowed) const {
 int JsonValue::integer(const Allowed& allowed) const {
   const Allowed within{std::max(allowed.min, -2147483648.0), std::min(allowed.max, 2147483647.0),
                        allowed.exclusive_min};
-  if (!json_->is_number() || std::floor(json_->get<double>()) != json_->get<double>()) {
-    fail_found("a whole number, " + within.text());
-  }
+  if (!json_->is_number_integer()) fail_found("a whole number, " + within.text());
   return static_cast<int>(number(within));
 }
 

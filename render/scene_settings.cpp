@@ -80,7 +80,7 @@ void read_sampling(const JsonValue& scene, const SceneOverrides& overrides,
   if (sampling.has("seed")) {
     const JsonValue seed = sampling.member("seed");
     const double value = seed.number({0, 4294967295.0});
-    if (value != static_cast<std::uint32_t>(value)) seed.fail_found("a whole number");
+    if (!seed.json().is_number_integer()) seed.fail_found("a whole number");
     settings.seed = static_cast<std::uint32_t>(value);
   }
   if (overrides.seed) settings.seed = *overrides.seed;

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +18,7 @@ struct Options {
   bool json = false;
 };
 
-// Attributes that Karat wrote, without their prefix; others as they are under `all`.
+// The attributes that Karat wrote, without their prefix.
 nlohmann::json provenance(const Image& image) {
   const std::string prefix = "karat:";
   nlohmann::json result = nlohmann::json::object();
@@ -25,7 +27,10 @@ nlohmann::json provenance(const Image& image) {
     if (name == "spectralLayoutVersion" || name == "emissiveUnits") result[name] = value;
   };
   for (const auto& [name, text] : image.attributes) add(name, text);
-  for (const auto& [name, number] : image.number_attributes) add(name, number);
+  for (const auto& [name, number] : image.number_attributes) {
+    const auto whole = static_cast<std::int64_t>(std::clamp(number, -1e15, 1e15));
+    static_cast<double>(whole) == number ? add(name, whole) : add(name, number);
+  }
   return result;
 }
 

@@ -1,10 +1,13 @@
 #include "apps/karat/render_cli.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 
 #include "apps/karat/render_output.h"
+#include "materials/fresnel.h"
 #include "render/scene_settings.h"
+#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -57,13 +60,17 @@ void add_output_options(CLI::App& command, Options& options) {
 void add_scene_options(CLI::App& command, Options& options,
                        const std::function<void(const std::string&)>& define) {
   SceneOverrides& overrides = options.overrides;
-  command.add_option("--spp", overrides.spp, "Samples per pixel");
+  command.add_option("--spp", overrides.spp, "Samples per pixel")->check(CLI::Range(1, kMaxSpp));
   command.add_option("--seed", overrides.seed, "Seed of the random numbers");
   command
       .add_option_function<std::string>(
           "--size",
           [&overrides](const std::string& text) {
             const auto size = split_integers(text, 'x', 2, "--size", "WIDTHxHEIGHT as 640x480");
+            for (const int side : size) {
+              if (side >= 1 && side <= kMaxFilmSide) continue;
+              throw CLI::ValidationError("--size", "found \"" + text + "\", allowed: 1 to 65536");
+            }
             overrides.width = size[0], overrides.height = size[1];
           },
           "Image size in pixels")
@@ -123,6 +130,14 @@ void add_definition(Options& options, const std::string& definition) {
                                         definition.substr(equals + 1));
 }
 
+void require_known(const std::string& option, const std::string& what,
+                   const std::vector<std::string>& names, const std::vector<std::string>& known) {
+  for (const auto& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw CLI::ValidationError(option, unknown_name_message(what, name, known));
+  }
+}
+
 void require_sense(Options& options) {
   for (const auto& path : options.outputs) {
     if (!is_png(path) && !is_exr(path)) {
@@ -132,6 +147,11 @@ void require_sense(Options& options) {
   if (options.outputs.empty() && options.spectral.empty() && options.stats.empty() &&
       options.checkpoint.empty()) {
     throw CLI::ValidationError("-o", "nothing to write: give -o FILE.exr or -o FILE.png");
+  }
+  require_known("--aov", "channel", options.overrides.channels, known_channels());
+  if (!options.overrides.fresnel.empty()) {
+    require_known("--fresnel", "Fresnel model", {options.overrides.fresnel},
+                  Registry<FresnelModel>::instance().names());
   }
   int& bins = options.overrides.spectral_bins;
   if (options.spectral.empty() && bins != 0) {
