@@ -13,11 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a name leads: a symbolic link is kept and the file behind it replaced.
+// Where a name leads: a symbolic link is kept and the file behind it replaced or created.
 fs::path target_of(const std::string& path) {
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error);
-  return error || target.empty() ? fs::path(path) : target;
+  constexpr int kMostLinks = 40;
+  std::error_code ignored;  // what is not there is no link
+  fs::path target = fs::absolute(path, ignored);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, ignored); ++i) {
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  }
+  return target.empty() ? fs::path(path) : target;
 }
 
 fs::path temporary_beside(const fs::path& target) {

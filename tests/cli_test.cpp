@@ -199,7 +199,7 @@ TEST_CASE("equal files for any number of threads, and after a resume", "[cli]") 
     const Outcome outcome = karat_run(arguments);
     INFO(outcome.err);
     CHECK(outcome.code == 0);
-    CHECK(outcome.err == "");
+    CHECK_THAT(outcome.err, !Contains("karat:"));  // oneTBB may note that there are fewer cores
   };
   render("one.exr", {"--spp", "16", "--threads", "1"});
   render("four.exr", {"--spp", "16", "--threads", "4"});

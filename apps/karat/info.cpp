@@ -29,7 +29,11 @@ nlohmann::json provenance(const Image& image) {
   for (const auto& [name, text] : image.attributes) add(name, text);
   for (const auto& [name, number] : image.number_attributes) {
     const auto whole = static_cast<std::int64_t>(std::clamp(number, -1e15, 1e15));
-    static_cast<double>(whole) == number ? add(name, whole) : add(name, number);
+    if (static_cast<double>(whole) == number) {
+      add(name, whole);
+    } else {
+      add(name, number);
+    }
   }
   return result;
 }
