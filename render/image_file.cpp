@@ -9,6 +9,7 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -131,6 +132,10 @@ void write_png(const std::string& path, const Image& image, int bits) {
   OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
                        bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
   for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
+  // PNG knows text only.
+  for (const auto& [name, number] : image.number_attributes) {
+    spec.attribute(name, fmt::format("{:.9g}", number));
+  }
   replace_file(path, [&](const std::string& temporary) {
     const auto output = OIIO::ImageOutput::create("png");
     if (!output) throw RuntimeError("OpenImageIO was built without PNG");
