@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -56,7 +57,12 @@ RenderResult render(const Scene& scene, const RenderOptions& options, Film& film
   const SamplerKind kind =
       settings.sampler == "independent" ? SamplerKind::kIndependent : SamplerKind::kSobol;
 
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  // The control lets more threads run than there are cores, where somebody asks for that.
+  const int threads =
+      options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   tbb::enumerable_thread_specific<PathCounters> counters;
   const Crop crop = film.crop();
 
