@@ -46,6 +46,9 @@ class Material {
   // True where every lobe is a delta (smooth mirror, smooth glass): light sampling is useless there.
   virtual bool only_delta() const { return false; }
 
+  // True where a Bsdf depends on uv or on the direction of the tangent; else neither is computed.
+  virtual bool uses_uv() const { return false; }
+
   // True where light passes through: such a surface is seen from both sides.
   virtual bool transmits() const { return false; }
 };

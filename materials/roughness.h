@@ -18,6 +18,7 @@ struct Roughness {
   const MicrofacetDistribution* distribution;  // never null
   Vec2 alpha;
 
+  bool anisotropic() const { return alpha.x != alpha.y; }
   bool smooth() const { return alpha.x == 0.0f; }  // then both are zero
 };
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 
 namespace karat {
 namespace {
@@ -89,7 +89,7 @@ std::optional<EmittedRay> AreaLight::emit(Vec2 u_position, Vec2 u_direction, int
     u_direction.x = 2.0f * u_direction.x - (inward ? 1.0f : 0.0f);
     if (inward) from.normal = -from.normal;
   }
-  const Vec3 local = cosine_hemisphere(u_direction);
+  const Vec3 local = square_to_cosine_hemisphere(u_direction);
   if (!(local.z > 0.0f)) return std::nullopt;
   const Vec3 direction = Frame::around(from.normal).to_world(local);
   return EmittedRay{{from.position, direction},

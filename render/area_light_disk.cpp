@@ -1,6 +1,6 @@
 // A luminous disk, sampled uniformly over its area.
 #include "render/area_light.h"
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 
 namespace karat {
 namespace {
@@ -15,7 +15,7 @@ class DiskLight final : public AreaLight {
 
  protected:
   SurfacePoint surface_point(Vec2 u) const override {
-    const Vec2 p = concentric_disk(u);
+    const Vec2 p = square_to_disk(u);
     return {center_ + (frame_.s * p.x + frame_.t * p.y) * radius_, frame_.n};
   }
 

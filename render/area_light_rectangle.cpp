@@ -18,6 +18,10 @@ namespace {
 constexpr float kSmallestSolidAngle = 1e-3f;
 // Above, the corners' sum is accurate to a few units in the last place.
 constexpr float kLargeSolidAngle = 0.1f;
+// Beyond this many diagonals' squares the density of an area sample is so even (to about a tenth
+// over the rectangle) that spherical sampling gains nothing that could be seen, and costs five
+// times more.
+constexpr float kFarDiagonals = 2.0f;
 // Points nearer to the light's plane, relative to its size, see it edge-on.
 constexpr float kNearPlane = 1e-6f;
 
@@ -50,10 +54,12 @@ class RectangleLight final : public AreaLight {
         y_(normalize(r.edge_v)),
         width_(length(r.edge_u)),
         height_(length(r.edge_v)),
+        far_squared_(kFarDiagonals * length_squared(r.edge_u + r.edge_v)),
         near_plane_(kNearPlane * (width_ + height_)),
         perpendicular_(std::abs(dot(x_, y_)) < 1e-5f) {}
 
   std::optional<LightSample> sample(Vec3 point, Vec2 u, int phase) const override {
+    if (is_far(point)) return towards(point, surface_point(u), phase);
     const View v = view(point);
     if (v.solid_angle == 0.0f) return std::nullopt;
     if (v.solid_angle < kSmallestSolidAngle || !perpendicular_) {
@@ -67,6 +73,7 @@ class RectangleLight final : public AreaLight {
   }
 
   float pdf(Vec3 point, Vec3 wi, const SurfaceHit* hit) const override {
+    if (is_far(point)) return area_pdf(point, wi, *hit);
     const View v = view(point);
     if (v.solid_angle == 0.0f) return 0.0f;
     if (v.solid_angle < kSmallestSolidAngle || !perpendicular_) return area_pdf(point, wi, *hit);
@@ -79,6 +86,8 @@ class RectangleLight final : public AreaLight {
   }
 
  private:
+  bool is_far(Vec3 point) const { return length_squared(bounds().center - point) > far_squared_; }
+
   View view(Vec3 point) const {
     const Vec3 d = rectangle_.origin - point;
     const float height = dot(d, normal_);  // negative on the outward side
@@ -148,7 +157,7 @@ class RectangleLight final : public AreaLight {
 
   RectangleGeometry rectangle_;
   Vec3 normal_, x_, y_;
-  float width_, height_, near_plane_;
+  float width_, height_, far_squared_, near_plane_;
   bool perpendicular_;
 };
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "render/area_light.h"
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 
 namespace karat {
 namespace {
@@ -48,7 +48,7 @@ class SphereLight final : public AreaLight {
 
  protected:
   SurfacePoint surface_point(Vec2 u) const override {
-    const Vec3 n = uniform_sphere(u);
+    const Vec3 n = square_to_sphere(u);
     return {center_ + n * radius_, n};
   }
 

@@ -17,7 +17,7 @@ LightSelection::LightSelection(const std::vector<std::unique_ptr<const Light>>& 
 // above the light's own radius; for an environment the power it sends through the scene's sphere.
 float LightSelection::importance(const Entry& entry, Vec3 point) const {
   if (std::isinf(entry.bounds.radius)) {
-    return entry.power / (4.0f * scene_radius_ * scene_radius_);
+    return entry.power * kInvPi / (4.0f * scene_radius_ * scene_radius_);
   }
   const float r2 = entry.bounds.radius * entry.bounds.radius;
   const float d2 = std::max({length_squared(entry.bounds.center - point), r2, 1e-12f});

@@ -30,9 +30,9 @@ struct Pass {
   void pixel(int x, int y, Film& film, PathCounters& counters) const {
     Sampler sampler(sampler_kind, scene.settings.seed);
     const bool features = film.channels().features;
+    sampler.start_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     for (int s = first_sample; s < last_sample; ++s) {
-      sampler.start(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                    static_cast<std::uint32_t>(s));
+      sampler.start_sample(static_cast<std::uint32_t>(s));
       const CameraNumbers u = sampler.camera();
       const SampledWavelengths wavelengths{static_cast<int>(u.phase * kPhases),
                                            static_cast<int>(u.hero * kLanes)};

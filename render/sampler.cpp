@@ -63,8 +63,11 @@ float to_unit(std::uint32_t x) {
 
 }  // namespace
 
-void Sampler::start(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+void Sampler::start_pixel(std::uint32_t x, std::uint32_t y) {
   pixel_hash_ = hash(x ^ hash(y ^ hash(seed_)));
+}
+
+void Sampler::start_sample(std::uint32_t sample) {
   sample_ = sample;
   first_block_ = ~0u;
 }

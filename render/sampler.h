@@ -28,7 +28,12 @@ class Sampler {
   Sampler(SamplerKind kind, std::uint32_t seed) : kind_(kind), seed_(seed) {}
 
   // The numbers that follow belong to this sample of this pixel.
-  void start(std::uint32_t x, std::uint32_t y, std::uint32_t sample);
+  void start(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+    start_pixel(x, y);
+    start_sample(sample);
+  }
+  void start_pixel(std::uint32_t x, std::uint32_t y);
+  void start_sample(std::uint32_t sample);
 
   CameraNumbers camera();
   VertexNumbers vertex(int depth);

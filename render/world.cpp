@@ -1,8 +1,8 @@
 #include "render/world.h"
 
-#include <bit>
 #include <deque>
-#include <stdexcept>
+
+#include "materials/material.h"
 
 namespace karat {
 namespace {
@@ -13,6 +13,10 @@ constexpr float kTwoPi = 2.0f * kPi;
 struct Item {
   Geometry geometry;
   Surface surface;
+  bool uses_uv;
+
+  Item(Geometry g, const Surface& s)
+      : geometry(std::move(g)), surface(s), uses_uv(!s.material || s.material->uses_uv()) {}
 };
 
 Vec3 to_vec3(const float v[3]) { return {v[0], v[1], v[2]}; }
@@ -64,19 +68,41 @@ struct HitTriangle {
   }
 };
 
-// Each fills position, normals, tangent and uv in the geometry's own coordinates. Positions are
-// computed from the geometry, not from origin + t * direction, which is far less accurate.
-void shade(const Mesh& mesh, const EmbreeHit& hit, SurfaceHit& out) {
+// locate() fills position and normals, parameterise() uv and tangent, both in the geometry's own
+// coordinates. Positions are computed from the geometry, not from origin + t * direction, which is
+// far less accurate.
+void locate(const Mesh& mesh, const EmbreeHit& hit, SurfaceHit& out) {
   const HitTriangle triangle(mesh, hit);
   out.position = triangle.interpolate(mesh.positions);
   out.geometric_normal = to_vec3(hit.normal);
   out.shading_normal =
       mesh.normals.empty() ? out.geometric_normal : triangle.interpolate(mesh.normals);
-  out.uv = mesh.uvs.empty() ? Vec2{hit.u, hit.v} : triangle.interpolate(mesh.uvs);
+}
+
+void locate(const SphereGeometry& sphere, const EmbreeHit&, SurfaceHit& out) {
+  const Vec3 n = normalize(out.position - sphere.center);
+  out.position = sphere.center + n * sphere.radius;
+  out.geometric_normal = out.shading_normal = n;
+}
+
+void locate(const DiskGeometry& disk, const EmbreeHit&, SurfaceHit& out) {
+  out.position = out.position - disk.normal * dot(out.position - disk.center, disk.normal);
+  out.geometric_normal = out.shading_normal = disk.normal;
+}
+
+void locate(const RectangleGeometry& rectangle, const EmbreeHit& hit, SurfaceHit& out) {
+  out.position = rectangle.origin + rectangle.edge_u * hit.u + rectangle.edge_v * hit.v;
+  out.geometric_normal = out.shading_normal = to_vec3(hit.normal);
+}
+
+void parameterise(const Mesh& mesh, const EmbreeHit& hit, SurfaceHit& out) {
+  const HitTriangle triangle(mesh, hit);
   const Vec3 pa = mesh.positions[triangle.a];
   const Vec3 ab = mesh.positions[triangle.b] - pa, ac = mesh.positions[triangle.c] - pa;
+  out.uv = {hit.u, hit.v};
   out.tangent = ab;
   if (!mesh.uvs.empty()) {
+    out.uv = triangle.interpolate(mesh.uvs);
     const Vec2 ta = mesh.uvs[triangle.a], tb = mesh.uvs[triangle.b], tc = mesh.uvs[triangle.c];
     const float du_b = tb.x - ta.x, dv_b = tb.y - ta.y, du_c = tc.x - ta.x, dv_c = tc.y - ta.y;
     const Vec3 tangent = ab * dv_c - ac * dv_b;  // dp/du times the determinant
@@ -84,28 +110,22 @@ void shade(const Mesh& mesh, const EmbreeHit& hit, SurfaceHit& out) {
   }
 }
 
-void shade(const SphereGeometry& sphere, const EmbreeHit&, SurfaceHit& out) {
-  const Vec3 n = normalize(out.position - sphere.center);
-  out.position = sphere.center + n * sphere.radius;
-  out.geometric_normal = out.shading_normal = n;
+void parameterise(const SphereGeometry&, const EmbreeHit&, SurfaceHit& out) {
+  const Vec3 n = out.geometric_normal;
   out.tangent = {-n.y, n.x, 0.0f};
   const float azimuth = std::atan2(n.y, n.x);
   out.uv = {(azimuth < 0.0f ? azimuth + kTwoPi : azimuth) / kTwoPi,
             std::acos(std::clamp(n.z, -1.0f, 1.0f)) * kInvPi};
 }
 
-void shade(const DiskGeometry& disk, const EmbreeHit&, SurfaceHit& out) {
+void parameterise(const DiskGeometry& disk, const EmbreeHit&, SurfaceHit& out) {
   const Frame frame = Frame::around(disk.normal);
   const Vec3 local = frame.to_local(out.position - disk.center);
-  out.position = disk.center + frame.s * local.x + frame.t * local.y;
-  out.geometric_normal = out.shading_normal = disk.normal;
   out.tangent = frame.s;
   out.uv = {local.x / disk.radius, local.y / disk.radius};
 }
 
-void shade(const RectangleGeometry& rectangle, const EmbreeHit& hit, SurfaceHit& out) {
-  out.position = rectangle.origin + rectangle.edge_u * hit.u + rectangle.edge_v * hit.v;
-  out.geometric_normal = out.shading_normal = to_vec3(hit.normal);
+void parameterise(const RectangleGeometry& rectangle, const EmbreeHit& hit, SurfaceHit& out) {
   out.tangent = rectangle.edge_u;
   out.uv = {hit.u, hit.v};
 }
@@ -149,7 +169,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 const Surface* World::add(Geometry geometry, const Surface& surface) {
-  const Item& item = impl_->items.emplace_back(Item{std::move(geometry), surface});
+  const Item& item = impl_->items.emplace_back(std::move(geometry), surface);
   attach(impl_->scene, item.geometry);
   impl_->top.push_back(&item);
   return &item.surface;
@@ -158,7 +178,7 @@ const Surface* World::add(Geometry geometry, const Surface& surface) {
 void World::add_instances(std::vector<Placed> group, const std::vector<Transform>& transforms) {
   Impl::Group& stored = impl_->groups.emplace_back();
   for (Placed& placed : group) {
-    const Item& item = impl_->items.emplace_back(Item{std::move(placed.geometry), placed.surface});
+    const Item& item = impl_->items.emplace_back(std::move(placed.geometry), placed.surface);
     attach(stored.scene, item.geometry);
     stored.items.push_back(&item);
   }
@@ -193,7 +213,14 @@ bool World::intersect(const Ray& ray, SurfaceHit& hit) const {
     item = instance.group->items[found.geometry];
     hit.position = transform->inverse_point(ray.origin + ray.direction * found.distance);
   }
-  std::visit([&](const auto& geometry) { shade(geometry, found, hit); }, item->geometry);
+  hit.tangent = {};
+  hit.uv = {};
+  std::visit(
+      [&](const auto& geometry) {
+        locate(geometry, found, hit);
+        if (item->uses_uv) parameterise(geometry, found, hit);
+      },
+      item->geometry);
   if (transform) Impl::place(*transform, hit);
 
   hit.geometric_normal = normalize(hit.geometric_normal);
@@ -228,18 +255,6 @@ void World::bounding_sphere(Vec3& center, float& radius) const {
   }
   center = (a + b) * 0.5f;
   radius = length(b - a) * 0.5f;
-}
-
-Vec3 offset_origin(Vec3 p, Vec3 geometric_normal, Vec3 direction) {
-  constexpr float kOrigin = 1.0f / 32.0f, kFloatScale = 1.0f / 65536.0f, kIntScale = 256.0f;
-  const Vec3 n = dot(direction, geometric_normal) < 0.0f ? -geometric_normal : geometric_normal;
-  const auto moved = [](float x, float nx) {
-    const auto steps = static_cast<std::int32_t>(kIntScale * nx);
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    const float far = std::bit_cast<float>(bits + (x < 0.0f ? -steps : steps));
-    return std::abs(x) < kOrigin ? x + kFloatScale * nx : far;
-  };
-  return {moved(p.x, n.x), moved(p.y, n.y), moved(p.z, n.z)};
 }
 
 }  // namespace karat

@@ -1,6 +1,7 @@
 // All surfaces of a scene, ready to be hit.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -31,7 +32,9 @@ struct SurfaceHit {
   Vec3 position;
   Vec3 geometric_normal;  // unit, outward side of the geometry
   Vec3 shading_normal;    // unit, on the same side as the geometric normal
-  Vec3 tangent;           // along increasing u where the geometry has one; any length
+  // Along increasing u where the geometry has one; any length. Tangent and uv are zero where the
+  // surface's material does not use them.
+  Vec3 tangent;
   Vec2 uv;
   float distance;
   const Surface* surface;
@@ -76,6 +79,16 @@ class World {
 // A ray origin moved off a surface to the side of `direction` by a few units in the last place
 // (Wächter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems,
 // 2019, ch. 6).
-Vec3 offset_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction);
+inline Vec3 offset_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
+  constexpr float kOrigin = 1.0f / 32.0f, kFloatScale = 1.0f / 65536.0f, kIntScale = 256.0f;
+  const Vec3 n = dot(direction, geometric_normal) < 0.0f ? -geometric_normal : geometric_normal;
+  const auto moved = [](float x, float nx) {
+    const auto steps = static_cast<std::int32_t>(kIntScale * nx);
+    const auto bits = std::bit_cast<std::int32_t>(x);
+    const float far = std::bit_cast<float>(bits + (x < 0.0f ? -steps : steps));
+    return std::abs(x) < kOrigin ? x + kFloatScale * nx : far;
+  };
+  return {moved(position.x, n.x), moved(position.y, n.y), moved(position.z, n.z)};
+}
 
 }  // namespace karat

@@ -76,6 +76,7 @@ class ConductorMaterial final : public Material {
     }
     return storage.make<RoughConductorBsdf>(&fresnel_, &tables_, wavelengths.phase, roughness_);
   }
+  bool uses_uv() const override { return roughness_.anisotropic(); }
   bool only_delta() const override { return roughness_.smooth(); }
 
  private:

@@ -82,6 +82,7 @@ class DielectricMaterial final : public Material {
     if (roughness_.smooth()) return storage.make<SmoothDielectricBsdf>(interface);
     return storage.make<RoughDielectricBsdf>(interface, roughness_);
   }
+  bool uses_uv() const override { return roughness_.anisotropic(); }
   bool only_delta() const override { return roughness_.smooth(); }
   bool transmits() const override { return true; }
 

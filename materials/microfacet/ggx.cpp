@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "materials/microfacet.h"
+#include "materials/sampling.h"
 
 namespace karat {
 namespace {
@@ -39,8 +40,8 @@ class Ggx final : public MicrofacetDistribution {
     const Vec3 stretched = normalize({w.x * alpha.x, w.y * alpha.y, w.z});
     const float below = u.y * (1.0f + stretched.z);
     const float radius = std::sqrt(std::max(0.0f, below * (2.0f - below)));
-    const float phi = 2.0f * kPi * u.x;
-    const Vec3 h{stretched.x + radius * std::cos(phi), stretched.y + radius * std::sin(phi),
+    const auto [sine, cosine] = sin_cos_turns(u.x);
+    const Vec3 h{stretched.x + radius * cosine, stretched.y + radius * sine,
                  (1.0f - u.y) * (1.0f + stretched.z)};
     // Opposite to w the sum is rounding alone; any visible normal will do where the density is
     // zero.

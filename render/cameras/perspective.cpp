@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "render/camera.h"
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -65,7 +65,7 @@ class PerspectiveCamera final : public Camera {
 
  private:
   Vec3 lens_point(Vec2 u) const {
-    const Vec2 p = concentric_disk(u);
+    const Vec2 p = square_to_disk(u);
     return {setup_.aperture_radius * p.x, setup_.aperture_radius * p.y, 0.0f};
   }
 

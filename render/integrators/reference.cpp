@@ -3,17 +3,12 @@
 // estimation, no importance sampling, no Russian roulette, no sharing of wavelengths. Only what
 // chance cannot meet is treated apart: delta lobes are sampled, and delta lights are added up at
 // every vertex.
+#include "materials/sampling.h"
 #include "render/integrator.h"
 #include "render/integrators/vertex.h"
 
 namespace karat {
 namespace {
-
-Vec3 uniform_direction(Vec2 u) {
-  const float z = 1.0f - 2.0f * u.x;
-  const float r = std::sqrt(std::max(0.0f, 1.0f - z * z));
-  return {r * std::cos(2.0f * kPi * u.y), r * std::sin(2.0f * kPi * u.y), z};
-}
 
 class ReferenceIntegrator final : public Integrator {
  public:
@@ -54,10 +49,10 @@ class ReferenceIntegrator final : public Integrator {
         wi = sample->wi;
         throughput *= sample->weight[hero];
       } else {
-        wi = uniform_direction(u.bsdf);
+        wi = square_to_sphere(u.bsdf);
         throughput *= vertex.bsdf->evaluate(vertex.wo, wi).value[hero] * 4.0f * kPi;
       }
-      const Vec3 direction = normalize(vertex.frame.to_world(wi));
+      const Vec3 direction = vertex.frame.to_world(wi);
       if (!(throughput > 0.0f) || !vertex.consistent(direction, wi)) break;
       ray = vertex.spawn(direction);
     }

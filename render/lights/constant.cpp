@@ -1,6 +1,6 @@
 // The same radiance from every direction.
 #include "render/area_light.h"
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 #include "render/light.h"
 
 namespace karat {
@@ -14,7 +14,7 @@ class ConstantEnvironment final : public Light {
       : radiance_(radiance), mean_radiance_(lattice_mean(radiance)) {}
 
   std::optional<LightSample> sample(Vec3, Vec2 u, int phase) const override {
-    return LightSample{uniform_sphere(u), std::numeric_limits<float>::infinity(), kUniformPdf,
+    return LightSample{square_to_sphere(u), std::numeric_limits<float>::infinity(), kUniformPdf,
                        radiance_[phase]};
   }
   float pdf(Vec3, Vec3, const SurfaceHit*) const override { return kUniformPdf; }

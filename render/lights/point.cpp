@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "render/area_light.h"
-#include "render/disk_mapping.h"
+#include "materials/sampling.h"
 #include "render/light.h"
 
 namespace karat {
@@ -32,7 +32,7 @@ class PointLight final : public Light {
 
   // `radiance` holds the intensity; the position has density 1.
   std::optional<EmittedRay> emit(Vec2, Vec2 u_direction, int phase) const override {
-    const Vec3 direction = uniform_sphere(u_direction);
+    const Vec3 direction = square_to_sphere(u_direction);
     return EmittedRay{{position_, direction}, direction, 1.0f, 0.25f * kInvPi, intensity_[phase]};
   }
 
