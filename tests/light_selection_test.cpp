@@ -1,0 +1,125 @@
+#include "render/light_selection.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "tests/chi_square.h"
+
+using namespace karat;
+
+namespace {
+
+// Power and bounds are all that the selection may know.
+class Lamp final : public Light {
+ public:
+  Lamp(float power, Bounds bounds) : power_(power), bounds_(bounds) {}
+  std::optional<LightSample> sample(Vec3, Vec2, int) const override { return std::nullopt; }
+  float pdf(Vec3, Vec3, const SurfaceHit*) const override { return 0.0f; }
+  SampledSpectrum radiance(Vec3, const SurfaceHit*, int) const override {
+    return SampledSpectrum(0.0f);
+  }
+  float power(float) const override { return power_; }
+  Bounds bounds() const override { return bounds_; }
+
+ private:
+  float power_;
+  Bounds bounds_;
+};
+
+using Lights = std::vector<std::unique_ptr<const Light>>;
+
+// Near and far, weak and strong, a point, an environment.
+Lights mixed_lights() {
+  Lights lights;
+  lights.push_back(std::make_unique<Lamp>(10.0f, Light::Bounds{{1, 0, 3}, 0.5f}));
+  lights.push_back(std::make_unique<Lamp>(300.0f, Light::Bounds{{-8, 2, 3}, 2.0f}));
+  lights.push_back(std::make_unique<Lamp>(0.5f, Light::Bounds{{0, 0, 0.5f}, 0.0f}));
+  lights.push_back(std::make_unique<Lamp>(2000.0f, Light::Bounds{}));
+  return lights;
+}
+
+const Vec3 kPoints[] = {{0, 0, 0}, {0, 0, 0.5f}, {1, 0, 3}, {-30, 4, 1}, {1e4f, -1e4f, 3}};
+
+}  // namespace
+
+TEST_CASE("probabilities of the lights sum to one, and none that shines is left out",
+          "[light_selection]") {
+  const Lights lights = mixed_lights();
+  const LightSelection selection(lights, 10.0f);
+  for (const Vec3 point : kPoints) {
+    double sum = 0.0;
+    for (const auto& light : lights) {
+      const float p = selection.probability(point, light.get());
+      CHECK(p > 0.0f);
+      sum += p;
+    }
+    CHECK(sum == Approx(1.0).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("lights are chosen with the probabilities that are told", "[light_selection]") {
+  const Lights lights = mixed_lights();
+  const LightSelection selection(lights, 10.0f);
+  constexpr int kCount = 100000;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform;
+  for (const Vec3 point : kPoints) {
+    std::vector<double> counted(lights.size()), expected(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      expected[i] = double{selection.probability(point, lights[i].get())} * kCount;
+    }
+    bool told = true;
+    for (int n = 0; n < kCount; ++n) {
+      const auto choice = selection.choose(point, std::min(uniform(random), 0x1.fffffep-1f));
+      REQUIRE(choice.light);
+      told &= choice.probability == selection.probability(point, choice.light);
+      for (std::size_t i = 0; i < lights.size(); ++i) counted[i] += choice.light == lights[i].get();
+    }
+    CHECK(told);
+    CHECK(test::chi_square_p_value(counted, expected) > test::sidak_level(std::size(kPoints)));
+  }
+}
+
+TEST_CASE("the ends of the random number choose lights that shine", "[light_selection]") {
+  Lights lights;
+  lights.push_back(std::make_unique<Lamp>(0.0f, Light::Bounds{{0, 0, 1}, 1.0f}));
+  lights.push_back(std::make_unique<Lamp>(1.0f, Light::Bounds{{0, 0, 2}, 1.0f}));
+  lights.push_back(std::make_unique<Lamp>(0.0f, Light::Bounds{{0, 0, 3}, 1.0f}));
+  const LightSelection selection(lights, 1.0f);
+  for (const float u : {0.0f, 0.5f, 0x1.fffffep-1f}) {
+    const auto choice = selection.choose({0, 0, 0}, u);
+    CHECK(choice.light == lights[1].get());
+    CHECK(choice.probability == 1.0f);
+  }
+}
+
+TEST_CASE("one light is always chosen; without lights, or without any power, none is",
+          "[light_selection]") {
+  Lights lights;
+  const LightSelection none(lights, 1.0f);
+  CHECK(none.choose({0, 0, 0}, 0.5f).light == nullptr);
+
+  lights.push_back(std::make_unique<Lamp>(3.0f, Light::Bounds{{0, 0, 1}, 0.5f}));
+  const LightSelection one(lights, 1.0f);
+  CHECK(one.choose({5, 5, 5}, 0.999f).light == lights[0].get());
+  CHECK(one.probability({5, 5, 5}, lights[0].get()) == 1.0f);
+
+  Lights dark;
+  dark.push_back(std::make_unique<Lamp>(0.0f, Light::Bounds{{0, 0, 1}, 0.5f}));
+  dark.push_back(std::make_unique<Lamp>(0.0f, Light::Bounds{}));
+  const LightSelection black(dark, 1.0f);
+  CHECK(black.choose({0, 0, 0}, 0.5f).light == nullptr);
+  CHECK(black.probability({0, 0, 0}, dark[0].get()) == 0.0f);
+}
+
+TEST_CASE("a nearer lamp is chosen more often than the same lamp far away", "[light_selection]") {
+  Lights lights;
+  for (const float z : {1.0f, 10.0f}) {
+    lights.push_back(std::make_unique<Lamp>(1.0f, Light::Bounds{{0, 0, z}, 0.1f}));
+  }
+  const LightSelection selection(lights, 10.0f);
+  // Inverse squares of the distances: 100 to 1.
+  CHECK(selection.probability({0, 0, 0}, lights[0].get()) == Approx(100.0 / 101.0));
+  CHECK(selection.probability({0, 0, 5.5f}, lights[0].get()) == Approx(0.5));
+}
