@@ -114,8 +114,7 @@ class Path {
     if (!(bsdf.pdf > 0.0f)) return;
 
     ++counters_.rays;
-    const Ray shadow = vertex.spawn(sample->wi);
-    if (scene_.world.occluded(shadow.origin, shadow.direction, sample->distance)) return;
+    if (!vertex.sees(scene_.world, sample->wi, sample->distance)) return;
 
     const float light_pdf = probability * sample->pdf;
     float weight = 1.0f / (light_pdf * densities_.mean_ratio);

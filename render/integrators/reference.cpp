@@ -72,10 +72,8 @@ class ReferenceIntegrator final : public Integrator {
       const Vec3 wi = vertex.frame.to_local(sample->wi);
       if (!vertex.consistent(sample->wi, wi)) continue;
       const float value = vertex.bsdf->evaluate(vertex.wo, wi).value[hero];
-      const Ray shadow = vertex.spawn(sample->wi);
       ++counters.rays;
-      if (value > 0.0f &&
-          !scene.world.occluded(shadow.origin, shadow.direction, sample->distance)) {
+      if (value > 0.0f && vertex.sees(scene.world, sample->wi, sample->distance)) {
         sum += value * sample->radiance[hero];
       }
     }

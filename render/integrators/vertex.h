@@ -43,6 +43,16 @@ struct Vertex {
   Ray spawn(Vec3 direction) const {
     return {offset_origin(position, geometric_normal, direction), direction};
   }
+
+  // Whether the segment to a light's sample is free. It is aimed anew from the offset origin: kept
+  // parallel, and as long as from the vertex itself, it would reach into a light near by.
+  bool sees(const World& world, Vec3 direction, float distance) const {
+    const Vec3 origin = offset_origin(position, geometric_normal, direction);
+    if (std::isinf(distance)) return !world.occluded(origin, direction, distance);
+    const Vec3 to_light = direction * distance + (position - origin);
+    const float left = length(to_light);
+    return !(left > 0.0f) || !world.occluded(origin, to_light * (1.0f / left), left);
+  }
 };
 
 }  // namespace karat
