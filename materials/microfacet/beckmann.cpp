@@ -4,8 +4,7 @@
 // EGSR 2007, equation 25; Lambda: Heitz, "Understanding the masking-shadowing function in
 // microfacet-based BRDFs", JCGT 3(2), 2014, equation 66, exact (no rational fit). Visible normals:
 // Heitz and d'Eon, "Importance sampling microfacet-based BSDFs using the distribution of visible
-// normals", EGSR 2014, with the inversion of Jakob, "An improved visible normal sampling routine
-// for the Beckmann distribution", 2014.
+// normals", EGSR 2014, whose cumulative distribution is inverted by Newton's method.
 #include <algorithm>
 #include <cmath>
 
@@ -47,26 +46,26 @@ float erfinv(float x) {
 }
 
 // The slope along the view direction of a normal visible at tan(theta), for alpha 1. Its cumulative
-// distribution in x = erf(slope) is proportional to 1 + x + tan exp(-slope^2) / sqrt(pi), up to the
-// slope cot(theta), behind which a facet is not seen. Newton's method, kept inside a shrinking
-// bracket.
+// distribution is proportional to F(s) = erfc(-s) + tan exp(-s^2) / sqrt(pi), up to the slope
+// cot(theta), behind which a facet is not seen. Newton's method on log F: F is log-concave and the
+// start, from erfc(x) <= exp(-x^2), lies below the root, so that steps never overshoot; and both
+// terms keep their digits in the tail, where erf(s) has none left.
 float visible_slope(float tan_theta, float u) {
   if (tan_theta < 1e-5f) return erfinv(std::clamp(2.0f * u - 1.0f, -kBelowOne, kBelowOne));
-  const float cot_theta = 1.0f / tan_theta;
-  float low = -kBelowOne, high = std::min(std::erf(cot_theta), kBelowOne);
-  const float tangent = kInvSqrtPi * tan_theta;
-  const float wanted = u * (1.0f + high + tangent * std::exp(-cot_theta * cot_theta));
-  const float logarithm = std::log(std::max(u, 1e-10f));
-  float x = std::clamp(high - (high + 1.0f) * std::erf(std::sqrt(-logarithm)), low, high);
+  const float cot_theta = 1.0f / tan_theta, tangent = kInvSqrtPi * tan_theta;
+  const float whole = std::erfc(-cot_theta) + tangent * std::exp(-cot_theta * cot_theta);
+  const float wanted = std::max(u, 0x1p-25f) * whole, at_zero = 1.0f + tangent;
+  float slope = wanted < at_zero ? -std::sqrt(std::log(at_zero / wanted)) : 0.0f;
   for (int iteration = 0; iteration < 12; ++iteration) {
-    const float slope = erfinv(x);
-    const float excess = 1.0f + x + tangent * std::exp(-slope * slope) - wanted;
-    (excess > 0.0f ? high : low) = x;
-    if (std::abs(excess) <= 1e-6f * wanted) break;
-    const float next = x - excess / (1.0f - slope * tan_theta);
-    x = next > low && next < high ? next : 0.5f * (low + high);
+    const float gauss = std::exp(-slope * slope);
+    const float below = std::erfc(-slope) + tangent * gauss;
+    const float density = 2.0f * kInvSqrtPi * gauss * (1.0f - slope * tan_theta);
+    if (!(density > 0.0f)) break;
+    const float step = std::log(wanted / below) * below / density;
+    slope = std::min(slope + step, cot_theta);
+    if (!(step > 1e-5f)) break;
   }
-  return erfinv(x);
+  return slope;
 }
 
 class Beckmann final : public MicrofacetDistribution {
