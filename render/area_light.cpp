@@ -65,12 +65,12 @@ std::optional<LightSample> AreaLight::towards(Vec3 point, SurfacePoint on_light,
   const Vec3 to_light = on_light.position - point;
   const float distance_squared = length_squared(to_light);
   if (!(distance_squared > 0.0f)) return std::nullopt;
-  const float distance = std::sqrt(distance_squared);
-  const Vec3 wi = to_light * (1.0f / distance);
-  const float cosine = -dot(wi, on_light.normal);
-  const float facing = two_sided_ ? std::abs(cosine) : cosine;
+  const float height = -dot(to_light, on_light.normal);  // of the point over the light's plane
+  const float facing = two_sided_ ? std::abs(height) : height;
   if (!(facing > 0.0f)) return std::nullopt;
-  return LightSample{wi, distance, distance_squared * inverse_area_ / facing, radiance_[phase]};
+  const float distance = std::sqrt(distance_squared);
+  return LightSample{to_light * (1.0f / distance), distance,
+                     distance * distance_squared * inverse_area_ / facing, radiance_[phase]};
 }
 
 float AreaLight::area_pdf(Vec3 point, Vec3 wi, const SurfaceHit& hit) const {

@@ -57,54 +57,54 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, con
   if (count > 0) std::memcpy(target, source, stride * count);
 }
 
+std::uint32_t attach(RTCScene scene, RTCGeometry geometry) {
+  rtcSetGeometryMask(geometry, kEverything);
+  rtcCommitGeometry(geometry);
+  const unsigned number = rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  return number;
+}
+
+std::uint32_t add_mesh(RTCScene scene, RTCGeometryType type, RTCFormat index_format,
+                       std::size_t face_vertices, const float* positions, std::size_t vertices,
+                       const std::uint32_t* indices, std::size_t faces) {
+  RTCGeometry geometry = rtcNewGeometry(device().handle, type);
+  copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions, 3, vertices);
+  copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, index_format, indices, face_vertices, faces);
+  return attach(scene, geometry);
+}
+
 }  // namespace
 
-struct RayScene::Impl {
-  RTCScene handle = rtcNewScene(device().handle);
-  std::vector<RecordedRay>* record = nullptr;
-
-  ~Impl() { rtcReleaseScene(handle); }
-
-  std::uint32_t attach(RTCGeometry geometry) {
-    rtcSetGeometryMask(geometry, kEverything);
-    rtcCommitGeometry(geometry);
-    const unsigned number = rtcAttachGeometry(handle, geometry);
-    rtcReleaseGeometry(geometry);
-    return number;
-  }
-
-  std::uint32_t add_mesh(RTCGeometryType type, RTCFormat index_format, std::size_t face_vertices,
-                         const float* positions, std::size_t vertices, const std::uint32_t* indices,
-                         std::size_t faces) {
-    RTCGeometry geometry = rtcNewGeometry(device().handle, type);
-    copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions, 3, vertices);
-    copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, index_format, indices, face_vertices, faces);
-    return attach(geometry);
-  }
-};
-
-RayScene::RayScene() : impl_(std::make_unique<Impl>()) {}
-RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene::RayScene() : scene_(rtcNewScene(device().handle)) {}
+RayScene::~RayScene() {
+  if (scene_) rtcReleaseScene(scene_);
+}
+RayScene::RayScene(RayScene&& other) noexcept
+    : scene_(std::exchange(other.scene_, nullptr)), record_(other.record_) {}
+RayScene& RayScene::operator=(RayScene&& other) noexcept {
+  std::swap(scene_, other.scene_);
+  std::swap(record_, other.record_);
+  return *this;
+}
 
 std::uint32_t RayScene::add_triangles(const float* positions, std::size_t vertices,
                                       const std::uint32_t* indices, std::size_t triangles) {
-  return impl_->add_mesh(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, 3, positions, vertices,
-                         indices, triangles);
+  return add_mesh(scene_, RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_UINT3, 3, positions, vertices,
+                  indices, triangles);
 }
 
 std::uint32_t RayScene::add_quads(const float* positions, std::size_t vertices,
                                   const std::uint32_t* indices, std::size_t quads) {
-  return impl_->add_mesh(RTC_GEOMETRY_TYPE_QUAD, RTC_FORMAT_UINT4, 4, positions, vertices, indices,
-                         quads);
+  return add_mesh(scene_, RTC_GEOMETRY_TYPE_QUAD, RTC_FORMAT_UINT4, 4, positions, vertices, indices,
+                  quads);
 }
 
 std::uint32_t RayScene::add_sphere(const float center[3], float radius) {
   RTCGeometry geometry = rtcNewGeometry(device().handle, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   const float vertex[4] = {center[0], center[1], center[2], radius};
   copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, vertex, 4, 1);
-  return impl_->attach(geometry);
+  return attach(scene_, geometry);
 }
 
 std::uint32_t RayScene::add_disk(const float center[3], const float normal[3], float radius) {
@@ -112,18 +112,18 @@ std::uint32_t RayScene::add_disk(const float center[3], const float normal[3], f
   const float vertex[4] = {center[0], center[1], center[2], radius};
   copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, vertex, 4, 1);
   copy_buffer(geometry, RTC_BUFFER_TYPE_NORMAL, RTC_FORMAT_FLOAT3, normal, 3, 1);
-  return impl_->attach(geometry);
+  return attach(scene_, geometry);
 }
 
 std::uint32_t RayScene::add_instance(const RayScene& scene, const float transform[12]) {
   RTCGeometry geometry = rtcNewGeometry(device().handle, RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, scene.impl_->handle);
+  rtcSetGeometryInstancedScene(geometry, scene.scene_);
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
-  return impl_->attach(geometry);
+  return attach(scene_, geometry);
 }
 
 void RayScene::commit() {
-  rtcCommitScene(impl_->handle);
+  rtcCommitScene(scene_);
   if (const std::string error = device().take_error(); !error.empty()) {
     throw RuntimeError("Embree: " + error);
   }
@@ -145,20 +145,21 @@ RTCRay to_embree(const EmbreeRay& ray) {
 
 }  // namespace
 
-void RayScene::record_to(std::vector<RecordedRay>* target) { impl_->record = target; }
+void RayScene::record_to(std::vector<RecordedRay>* target) { record_ = target; }
 
 bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
-  if (impl_->record) [[unlikely]] impl_->record->push_back({ray, false});
+  if (record_) [[unlikely]]
+    record_->push_back({ray, false});
   RTCRayHit query;
   query.ray = to_embree(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if RTC_VERSION_MAJOR >= 4
-  rtcIntersect1(impl_->handle, &query);
+  rtcIntersect1(scene_, &query);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(impl_->handle, &context, &query);
+  rtcIntersect1(scene_, &context, &query);
 #endif
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   hit.distance = query.ray.tfar;
@@ -171,21 +172,22 @@ bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
 }
 
 bool RayScene::occluded(const EmbreeRay& ray) const {
-  if (impl_->record) [[unlikely]] impl_->record->push_back({ray, true});
+  if (record_) [[unlikely]]
+    record_->push_back({ray, true});
   RTCRay query = to_embree(ray);
 #if RTC_VERSION_MAJOR >= 4
-  rtcOccluded1(impl_->handle, &query);
+  rtcOccluded1(scene_, &query);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(impl_->handle, &context, &query);
+  rtcOccluded1(scene_, &context, &query);
 #endif
   return query.tfar < 0.0f;  // Embree marks an occluded ray with tfar = -inf
 }
 
 void RayScene::bounds(float lower[3], float upper[3]) const {
   RTCBounds box;
-  rtcGetSceneBounds(impl_->handle, &box);
+  rtcGetSceneBounds(scene_, &box);
   lower[0] = box.lower_x, lower[1] = box.lower_y, lower[2] = box.lower_z;
   upper[0] = box.upper_x, upper[1] = box.upper_y, upper[2] = box.upper_z;
 }

@@ -4,14 +4,15 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
+
+struct RTCSceneTy;  // Embree's own
 
 namespace karat {
 
 struct EmbreeRay {
   float origin[3];
-  float direction[3];  // unit, so that distances are lengths
+  float direction[3];  // distances are counted in its length
   float tnear = 0.0f;
   float tfar = std::numeric_limits<float>::infinity();
 };
@@ -64,8 +65,8 @@ class RayScene {
   void bounds(float lower[3], float upper[3]) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  RTCSceneTy* scene_;
+  std::vector<RecordedRay>* record_ = nullptr;
 };
 
 }  // namespace karat

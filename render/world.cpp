@@ -16,7 +16,10 @@ struct Item {
   bool uses_uv;
 
   Item(Geometry g, const Surface& s)
-      : geometry(std::move(g)), surface(s), uses_uv(!s.material || s.material->uses_uv()) {}
+      : geometry(std::move(g)), surface(s), uses_uv(!s.material || s.material->uses_uv()) {
+    surface.transmits = s.material && s.material->transmits();
+    surface.only_delta = s.material && s.material->only_delta();
+  }
 };
 
 Vec3 to_vec3(const float v[3]) { return {v[0], v[1], v[2]}; }
@@ -197,21 +200,21 @@ void World::commit() {
   impl_->scene.commit();
 }
 
-bool World::intersect(const Ray& ray, SurfaceHit& hit) const {
+bool World::intersect(Vec3 origin, Vec3 direction, SurfaceHit& hit) const {
   EmbreeHit found;
-  if (!impl_->scene.intersect(to_embree(ray.origin, ray.direction), found)) return false;
+  if (!impl_->scene.intersect(to_embree(origin, direction), found)) return false;
   hit.distance = found.distance;
 
   const Transform* transform = nullptr;
   const Item* item;
   if (found.instance == kNoInstance) {
     item = impl_->top[found.geometry];
-    hit.position = ray.origin + ray.direction * found.distance;
+    hit.position = origin + direction * found.distance;
   } else {
     const Impl::Instance& instance = impl_->instances[found.instance - impl_->first_instance];
     transform = &instance.transform;
     item = instance.group->items[found.geometry];
-    hit.position = transform->inverse_point(ray.origin + ray.direction * found.distance);
+    hit.position = transform->inverse_point(origin + direction * found.distance);
   }
   hit.tangent = {};
   hit.uv = {};
@@ -223,13 +226,12 @@ bool World::intersect(const Ray& ray, SurfaceHit& hit) const {
       item->geometry);
   if (transform) Impl::place(*transform, hit);
 
-  hit.geometric_normal = normalize(hit.geometric_normal);
+  // Zero where opposite normals meet: the shading normal is then the geometric one.
   const float length2 = length_squared(hit.shading_normal);
+  const float side = dot(hit.shading_normal, hit.geometric_normal) < 0.0f ? -1.0f : 1.0f;
+  hit.geometric_normal = normalize(hit.geometric_normal);
   hit.shading_normal =
-      length2 > 0.0f ? hit.shading_normal * (1.0f / std::sqrt(length2)) : hit.geometric_normal;
-  if (dot(hit.shading_normal, hit.geometric_normal) < 0.0f) {
-    hit.shading_normal = -hit.shading_normal;
-  }
+      length2 > 0.0f ? hit.shading_normal * (side / std::sqrt(length2)) : hit.geometric_normal;
   hit.surface = &item->surface;
   return true;
 }

@@ -26,6 +26,9 @@ struct Surface {
   const Material* material = nullptr;  // null: black to light that arrives
   const Light* light = nullptr;        // the area light that this surface is, or null
   std::uint32_t id = 0;                // number of the shape in the scene file, for the id channel
+
+  // What the loop asks of the material at every hit; set by World.
+  bool transmits = false, only_delta = false;
 };
 
 struct SurfaceHit {
@@ -59,10 +62,14 @@ class World {
 
   void commit();  // nothing can be hit before
 
-  bool intersect(const Ray& ray, SurfaceHit& hit) const;
+  bool intersect(const Ray& ray, SurfaceHit& hit) const {
+    return intersect(ray.origin, ray.direction, hit);
+  }
+  bool intersect(Vec3 origin, Vec3 direction, SurfaceHit& hit) const;
 
-  // Whether anything lies between the two ends of a segment of `distance` (infinite for the
-  // environment) along a unit direction. `origin` is already offset (see offset_origin).
+  // Whether anything lies between the two ends of a segment along `direction`, whose length is the
+  // unit of `distance` (infinite for the environment). `origin` is already offset (see
+  // offset_origin).
   bool occluded(Vec3 origin, Vec3 direction, float distance) const;
 
   // What traces the rays, for measurements.

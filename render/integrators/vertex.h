@@ -19,9 +19,8 @@ struct Vertex {
   // their frame is turned to the viewer. For the others the inside is where wo.z < 0.
   Vertex(const SurfaceHit& hit, Vec3 direction, SampledWavelengths wavelengths,
          BsdfStorage& storage) {
-    const Material& material = *hit.surface->material;
-    transmits = material.transmits();
-    only_delta = material.only_delta();
+    transmits = hit.surface->transmits;
+    only_delta = hit.surface->only_delta;
     position = hit.position;
     geometric_normal = hit.geometric_normal;
     Vec3 shading_normal = hit.shading_normal;
@@ -31,7 +30,8 @@ struct Vertex {
     }
     frame = Frame::around(shading_normal, hit.tangent);
     wo = frame.to_local(-direction);
-    bsdf = material.prepare({hit.position, hit.uv}, wavelengths, Transport::kRadiance, storage);
+    bsdf = hit.surface->material->prepare({hit.position, hit.uv}, wavelengths, Transport::kRadiance,
+                                          storage);
   }
 
   // Whether a world direction leaves on the side that the local one is on: an interpolated normal
@@ -49,9 +49,7 @@ struct Vertex {
   bool sees(const World& world, Vec3 direction, float distance) const {
     const Vec3 origin = offset_origin(position, geometric_normal, direction);
     if (std::isinf(distance)) return !world.occluded(origin, direction, distance);
-    const Vec3 to_light = direction * distance + (position - origin);
-    const float left = length(to_light);
-    return !(left > 0.0f) || !world.occluded(origin, to_light * (1.0f / left), left);
+    return !world.occluded(origin, direction * distance + (position - origin), 1.0f);
   }
 };
 
