@@ -9,12 +9,14 @@ target_compile_definitions(karat_options INTERFACE
   KARAT_SOURCE_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
   KARAT_INSTALL_DATA_DIR="${CMAKE_INSTALL_FULL_DATADIR}/karat")
 
-# -fno-math-errno and -fno-trapping-math -fopenmp-simd let lane loops vectorise and change no value; NaN keeps its
-# meaning. -fno-semantic-interposition: the same objects also make up the shared library, and a call
-# to a neighbouring function stays direct and inlinable nevertheless.
+# -fno-math-errno and -fno-trapping-math let lane loops vectorise and change no value; NaN keeps its
+# meaning. -fopenmp-simd makes lane loops vector code; it needs no library.
+# -fno-semantic-interposition: the same objects also make up the shared library, and a call to a
+# neighbouring function stays direct and inlinable nevertheless.
 target_compile_options(karat_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow
-  -fno-math-errno -fno-trapping-math -fopenmp-simd -ffp-contract=fast -fno-semantic-interposition)
+  -fno-math-errno -fno-trapping-math -fopenmp-simd -ffp-contract=fast
+  -fno-semantic-interposition)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # Flags that name an instruction set exist on x86 only; elsewhere the compiler's own choice stands.

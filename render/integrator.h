@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "render/sampler.h"
@@ -24,6 +25,7 @@ struct PathCounters {
 
 // What the first surface is: the feature channels of the image.
 struct FirstHit {
+  bool wanted = false;  // set by the caller
   bool valid = false;
   Vec3 normal{0, 0, 0};  // shading normal, world
   float depth = 0.0f;    // distance along the camera ray
@@ -31,17 +33,35 @@ struct FirstHit {
   SampledSpectrum albedo{0.0f};  // directional-hemispherical, estimated with one sample
 };
 
+// One camera sample: what an integrator is given, and the radiance that it returns per lane. Where
+// the path followed the hero lane alone, the other lanes are zero and the hero's is kLanes times
+// its radiance.
+struct CameraSample {
+  CameraSample(int pixel_x, int pixel_y, const Sampler& started)
+      : x(pixel_x), y(pixel_y), sampler(started) {}
+
+  int x, y;         // pixel
+  Sampler sampler;  // started for this pixel and sample
+  Ray ray;
+  SampledWavelengths wavelengths;
+  SampledSpectrum radiance;
+  FirstHit first_hit;
+};
+
+// Camera samples come in batches: their paths are independent, and a processor that works on
+// several of them at a time waits for none.
+inline constexpr int kBatch = 32;
+
 // Stateless and shared; registered by name: KARAT_REGISTER(Integrator, "path", PathIntegrator);
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string description() const = 0;
 
-  // Radiance per lane; where the path followed the hero lane alone, the other lanes are zero and
-  // the hero's is kLanes times its radiance. `first_hit` may be null.
-  virtual SampledSpectrum radiance(const Scene& scene, const Ray& ray,
-                                   SampledWavelengths wavelengths, Sampler& sampler,
-                                   PathCounters& counters, FirstHit* first_hit) const = 0;
+  // Fills `radiance` (and `first_hit` where wanted) of up to kBatch samples. The result for a
+  // sample does not depend on the others.
+  virtual void trace(const Scene& scene, std::span<CameraSample> samples,
+                     PathCounters& counters) const = 0;
 };
 
 }  // namespace karat

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 namespace karat {
 namespace {
@@ -27,23 +28,42 @@ struct Pass {
   SamplerKind sampler_kind;
   int first_sample, last_sample;
 
-  void pixel(int x, int y, Film& film, PathCounters& counters) const {
+  // Batches run on from pixel to pixel.
+  void tile(const tbb::blocked_range2d<int>& range, Film& film, PathCounters& counters) const {
+    std::vector<CameraSample> batch;
+    batch.reserve(kBatch);
     Sampler sampler(sampler_kind, scene.settings.seed);
-    const bool features = film.channels().features;
-    sampler.start_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-    for (int s = first_sample; s < last_sample; ++s) {
-      sampler.start_sample(static_cast<std::uint32_t>(s));
-      const CameraNumbers u = sampler.camera();
-      const SampledWavelengths wavelengths{static_cast<int>(u.phase * kPhases),
-                                           static_cast<int>(u.hero * kLanes)};
-      const Vec2 position{static_cast<float>(x) + u.pixel.x, static_cast<float>(y) + u.pixel.y};
-      const Ray ray = scene.camera->ray(position, u.lens);
-      FirstHit first_hit;
-      const SampledSpectrum radiance = integrator.radiance(
-          scene, ray, wavelengths, sampler, counters, features ? &first_hit : nullptr);
-      film.add(x, y, radiance, wavelengths, &first_hit);
-      ++counters.paths;
+    for (int y = range.rows().begin(); y < range.rows().end(); ++y) {
+      for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
+        sampler.start_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+        for (int s = first_sample; s < last_sample; ++s) {
+          sampler.start_sample(static_cast<std::uint32_t>(s));
+          add_sample(x, y, sampler, film.channels().features, batch);
+          if (batch.size() == kBatch) trace(batch, film, counters);
+        }
+      }
     }
+    trace(batch, film, counters);
+  }
+
+ private:
+  void add_sample(int x, int y, const Sampler& started, bool features,
+                  std::vector<CameraSample>& batch) const {
+    CameraSample& sample = batch.emplace_back(x, y, started);
+    const CameraNumbers u = sample.sampler.camera();
+    sample.wavelengths = {static_cast<int>(u.phase * kPhases), static_cast<int>(u.hero * kLanes)};
+    const Vec2 position{static_cast<float>(x) + u.pixel.x, static_cast<float>(y) + u.pixel.y};
+    sample.ray = scene.camera->ray(position, u.lens);
+    sample.first_hit.wanted = features;
+  }
+
+  void trace(std::vector<CameraSample>& batch, Film& film, PathCounters& counters) const {
+    integrator.trace(scene, batch, counters);
+    for (const CameraSample& s : batch) {
+      film.add(s.x, s.y, s.radiance, s.wavelengths, &s.first_hit);
+    }
+    counters.paths += batch.size();
+    batch.clear();
   }
 };
 
@@ -79,11 +99,7 @@ RenderResult render(const Scene& scene, const RenderOptions& options, Film& film
           tbb::blocked_range2d<int>(crop.y0, crop.y1, kTile, crop.x0, crop.x1, kTile),
           [&](const tbb::blocked_range2d<int>& tile) {
             PathCounters local;
-            for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
-              for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                pass.pixel(x, y, film, local);
-              }
-            }
+            pass.tile(tile, film, local);
             counters.local() += local;
           },
           tbb::simple_partitioner());

@@ -50,90 +50,72 @@ struct LaneDensities {
   }
 };
 
-// One path and what it has gathered.
+// One path, taken from vertex to vertex in steps: arrive, choose_light, receive_light, scatter.
 class Path {
  public:
-  Path(const Scene& scene, SampledWavelengths wavelengths, Sampler& sampler, PathCounters& counters)
-      : scene_(scene), wavelengths_(wavelengths), sampler_(sampler), counters_(counters) {}
+  Path(const Scene& scene, CameraSample& sample)
+      : scene_(scene), sample_(sample), ray_(sample.ray), wavelengths_(sample.wavelengths) {}
 
-  SampledSpectrum trace(Ray ray, FirstHit* first_hit) {
-    const int max_depth = scene_.settings.max_depth;
-    for (int depth = 0;; ++depth) {
-      SurfaceHit hit;
-      ++counters_.rays;
-      if (!scene_.world.intersect(ray, hit)) {
-        for (const Light* light : scene_.environments) add_emission(*light, ray, nullptr);
-        break;
-      }
-      if (hit.surface->light) add_emission(*hit.surface->light, ray, &hit);
-      if (depth == 0 && first_hit) {
-        first_hit->valid = true;
-        first_hit->normal = hit.shading_normal;
-        first_hit->depth = hit.distance;
-        first_hit->shape = hit.surface->id;
-      }
-      if (depth >= max_depth || !hit.surface->material) break;
+  void trace_ray() { found_ = scene_.world.intersect(ray_, hit_); }
 
-      BsdfStorage storage;
-      const Vertex vertex(hit, ray.direction, wavelengths_, storage);
-      ++counters_.vertices;
-      const VertexNumbers u = sampler_.vertex(depth);
-      if (!vertex.only_delta) add_direct_light(vertex, u);
-      if (!scatter(vertex, u, ray)) break;
-      if (depth == 0 && first_hit) first_hit->albedo = throughput_;
-      if (depth + 1 >= kRouletteDepth && !survives(u.roulette)) break;
+  // Emission where the ray ends, and the vertex there; false where the path ends with it.
+  bool arrive(int depth, PathCounters& counters) {
+    ++counters.rays;
+    if (!found_) {
+      for (const Light* light : scene_.environments) add_emission(*light, nullptr);
+      return false;
     }
-    return radiance_;
+    if (hit_.surface->light) add_emission(*hit_.surface->light, &hit_);
+    if (depth == 0 && sample_.first_hit.wanted) note_first_hit();
+    if (depth >= scene_.settings.max_depth || !hit_.surface->material) return false;
+    ++counters.vertices;
+    numbers_ = sample_.sampler.vertex(depth);
+    vertex_ = Vertex(hit_, ray_.direction, wavelengths_, storage_);
+    return true;
   }
 
- private:
-  // Light that the path's last direction has met.
-  void add_emission(const Light& light, const Ray& ray, const SurfaceHit* hit) {
-    const SampledSpectrum emitted = light.radiance(ray.direction, hit, wavelengths_.phase);
-    float weight = 1.0f / densities_.mean_ratio;
-    if (last_pdf_ > 0.0f) {
-      const float light_pdf = scene_.light_selection.probability(last_position_, &light) *
-                              light.pdf(last_position_, ray.direction, hit);
-      weight =
-          last_dispersive_
-              ? 1.0f / (densities_.mean_ratio + densities_.previous_mean * light_pdf / last_pdf_)
-              : weight * power_heuristic(last_pdf_, light_pdf);
-    }
-    radiance_ += throughput_ * emitted * weight;
-  }
-
-  void add_direct_light(const Vertex& vertex, const VertexNumbers& u) {
+  // Next-event estimation up to the question whether the light is visible; false without one.
+  bool choose_light() {
+    if (vertex_.only_delta) return false;
     const auto [light, probability] =
-        scene_.light_selection.choose(vertex.position, u.light_choice);
-    if (!light) return;
-    const auto sample = light->sample(vertex.position, u.light, wavelengths_.phase);
-    if (!sample) return;
-    const Vec3 wi = vertex.frame.to_local(sample->wi);
-    if (!vertex.consistent(sample->wi, wi)) return;
-    const BsdfValue bsdf = vertex.bsdf->evaluate(vertex.wo, wi);
-    if (!(bsdf.pdf > 0.0f)) return;
-
-    ++counters_.rays;
-    if (!vertex.sees(scene_.world, sample->wi, sample->distance)) return;
+        scene_.light_selection.choose(vertex_.position, numbers_.light_choice);
+    if (!light) return false;
+    const auto sample = light->sample(vertex_.position, numbers_.light, wavelengths_.phase);
+    if (!sample) return false;
+    const Vec3 wi = vertex_.frame.to_local(sample->wi);
+    if (!vertex_.consistent(sample->wi, wi)) return false;
+    const BsdfValue bsdf = vertex_.bsdf->evaluate(vertex_.wo, wi);
+    if (!(bsdf.pdf > 0.0f)) return false;
 
     const float light_pdf = probability * sample->pdf;
     float weight = 1.0f / (light_pdf * densities_.mean_ratio);
     if (!light->is_delta()) {
-      if (vertex.bsdf->dispersive()) {
-        const SampledSpectrum lane_pdfs = vertex.bsdf->lane_pdfs(vertex.wo, wi);
+      if (vertex_.bsdf->dispersive()) {
+        const SampledSpectrum lane_pdfs = vertex_.bsdf->lane_pdfs(vertex_.wo, wi);
         weight = 1.0f / (light_pdf * densities_.mean_ratio + mean(densities_.ratio * lane_pdfs));
       } else {
         weight *= power_heuristic(light_pdf, bsdf.pdf);
       }
     }
-    radiance_ += throughput_ * bsdf.value * sample->radiance * weight;
+    light_direction_ = sample->wi;
+    light_distance_ = sample->distance;
+    light_contribution_ = throughput_ * bsdf.value * sample->radiance * weight;
+    return true;
   }
 
-  bool scatter(const Vertex& vertex, const VertexNumbers& u, Ray& ray) {
-    const auto sample = vertex.bsdf->sample(vertex.wo, {u.lobe, u.bsdf});
+  void receive_light(PathCounters& counters) {
+    ++counters.rays;
+    if (vertex_.sees(scene_.world, light_direction_, light_distance_)) {
+      radiance_ += light_contribution_;
+    }
+  }
+
+  // The next direction; false where the path ends.
+  bool scatter(int depth) {
+    const auto sample = vertex_.bsdf->sample(vertex_.wo, {numbers_.lobe, numbers_.bsdf});
     if (!sample) return false;
-    const Vec3 direction = vertex.frame.to_world(sample->wi);
-    if (!vertex.consistent(direction, sample->wi)) return false;
+    const Vec3 direction = vertex_.frame.to_world(sample->wi);
+    if (!vertex_.consistent(direction, sample->wi)) return false;
 
     const bool delta = (sample->lobes & lobe::kDelta) != 0;
     densities_.previous_mean = densities_.mean_ratio;
@@ -141,16 +123,43 @@ class Path {
       if (delta) {
         densities_.keep_only(wavelengths_.hero);
       } else {
-        densities_.scatter(vertex.bsdf->lane_pdfs(vertex.wo, sample->wi), sample->pdf);
+        densities_.scatter(vertex_.bsdf->lane_pdfs(vertex_.wo, sample->wi), sample->pdf);
       }
     }
     throughput_ *= sample->weight;
     eta_squared_ *= sample->relative_eta * sample->relative_eta;
     last_pdf_ = delta ? 0.0f : sample->pdf;
     last_dispersive_ = sample->dispersive;
-    last_position_ = vertex.position;
-    ray = vertex.spawn(direction);
-    return true;
+    last_position_ = vertex_.position;
+    ray_ = vertex_.spawn(direction);
+    if (depth == 0 && sample_.first_hit.wanted) sample_.first_hit.albedo = throughput_;
+    return depth + 1 < kRouletteDepth || survives(numbers_.roulette);
+  }
+
+  void finish() { sample_.radiance = radiance_; }
+
+ private:
+  void note_first_hit() {
+    FirstHit& first = sample_.first_hit;
+    first.valid = true;
+    first.normal = hit_.shading_normal;
+    first.depth = hit_.distance;
+    first.shape = hit_.surface->id;
+  }
+
+  // Light that the path's last direction has met.
+  void add_emission(const Light& light, const SurfaceHit* hit) {
+    const SampledSpectrum emitted = light.radiance(ray_.direction, hit, wavelengths_.phase);
+    float weight = 1.0f / densities_.mean_ratio;
+    if (last_pdf_ > 0.0f) {
+      const float light_pdf = scene_.light_selection.probability(last_position_, &light) *
+                              light.pdf(last_position_, ray_.direction, hit);
+      weight =
+          last_dispersive_
+              ? 1.0f / (densities_.mean_ratio + densities_.previous_mean * light_pdf / last_pdf_)
+              : weight * power_heuristic(last_pdf_, light_pdf);
+    }
+    radiance_ += throughput_ * emitted * weight;
   }
 
   // Paths end in proportion to what they carry; the scaling of radiance by refraction is undone
@@ -164,16 +173,77 @@ class Path {
   }
 
   const Scene& scene_;
+  CameraSample& sample_;
+  Ray ray_;
   const SampledWavelengths wavelengths_;
-  Sampler& sampler_;
-  PathCounters& counters_;
 
   SampledSpectrum radiance_{0.0f}, throughput_{1.0f};
   LaneDensities densities_;
   float eta_squared_ = 1.0f;
-  Vec3 last_position_;
   float last_pdf_ = 0.0f;  // 0: the camera or a delta lobe, which no light sample competes with
+  Vec3 last_position_;
   bool last_dispersive_ = false;
+
+  // Of the present vertex.
+  bool found_ = false;
+  SurfaceHit hit_;
+  Vertex vertex_;
+  VertexNumbers numbers_;
+  Vec3 light_direction_;
+  float light_distance_;
+  SampledSpectrum light_contribution_;
+  BsdfStorage storage_;
+};
+
+// The paths of a batch go through each step together: the steps of different paths do not wait for
+// one another, which hides the latency of chains of square roots, divisions and cache misses, and
+// the processor stays in one piece of code.
+class Batch {
+ public:
+  Batch(const Scene& scene, std::span<CameraSample> samples) {
+    for (CameraSample& sample : samples) {
+      void* place = bytes_ + sizeof(Path) * static_cast<std::size_t>(count_);
+      all_[count_] = active_[count_] = new (place) Path(scene, sample);
+      ++count_;
+    }
+    total_ = count_;
+  }
+
+  void trace(PathCounters& counters) {
+    for (int depth = 0; count_ > 0; ++depth) {
+      for (int i = 0; i < count_; ++i) active_[i]->trace_ray();
+      keep([&](Path& path) { return path.arrive(depth, counters); });
+      const int lit = select_lit();
+      for (int i = 0; i < lit; ++i) lit_[i]->receive_light(counters);
+      keep([&](Path& path) { return path.scatter(depth); });
+    }
+    for (int i = 0; i < total_; ++i) all_[i]->finish();
+  }
+
+ private:
+  template <typename Step>
+  void keep(Step&& step) {
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      Path* path = active_[i];
+      if (step(*path)) active_[kept++] = path;
+    }
+    count_ = kept;
+  }
+
+  int select_lit() {
+    int lit = 0;
+    for (int i = 0; i < count_; ++i) {
+      if (active_[i]->choose_light()) lit_[lit++] = active_[i];
+    }
+    return lit;
+  }
+
+  alignas(64) std::byte bytes_[sizeof(Path) * kBatch];
+  Path* all_[kBatch];
+  Path* active_[kBatch];
+  Path* lit_[kBatch];
+  int count_ = 0, total_ = 0;
 };
 
 class PathIntegrator final : public Integrator {
@@ -181,10 +251,9 @@ class PathIntegrator final : public Integrator {
   std::string description() const override {
     return "path tracer with next-event estimation and multiple importance sampling";
   }
-  SampledSpectrum radiance(const Scene& scene, const Ray& ray, SampledWavelengths wavelengths,
-                           Sampler& sampler, PathCounters& counters,
-                           FirstHit* first_hit) const override {
-    return Path(scene, wavelengths, sampler, counters).trace(ray, first_hit);
+  void trace(const Scene& scene, std::span<CameraSample> samples,
+             PathCounters& counters) const override {
+    Batch(scene, samples).trace(counters);
   }
 };
 

@@ -16,11 +16,20 @@ class ReferenceIntegrator final : public Integrator {
     return "literal reference: uniform directions, one wavelength a path";
   }
 
-  SampledSpectrum radiance(const Scene& scene, const Ray& camera_ray,
-                           SampledWavelengths wavelengths, Sampler& sampler, PathCounters& counters,
-                           FirstHit*) const override {
+  void trace(const Scene& scene, std::span<CameraSample> samples,
+             PathCounters& counters) const override {
+    for (CameraSample& sample : samples) {
+      sample.radiance = SampledSpectrum(0.0f);
+      sample.radiance[sample.wavelengths.hero] = kLanes * hero_radiance(scene, sample, counters);
+    }
+  }
+
+ private:
+  static float hero_radiance(const Scene& scene, CameraSample& camera, PathCounters& counters) {
+    const SampledWavelengths wavelengths = camera.wavelengths;
     const int hero = wavelengths.hero, phase = wavelengths.phase;
-    Ray ray = camera_ray;
+    Sampler& sampler = camera.sampler;
+    Ray ray = camera.ray;
     float result = 0.0f, throughput = 1.0f;
     for (int depth = 0;; ++depth) {
       SurfaceHit hit;
@@ -56,12 +65,9 @@ class ReferenceIntegrator final : public Integrator {
       if (!(throughput > 0.0f) || !vertex.consistent(direction, wi)) break;
       ray = vertex.spawn(direction);
     }
-    SampledSpectrum radiance(0.0f);
-    radiance[hero] = result * kLanes;
-    return radiance;
+    return result;
   }
 
- private:
   static float from_delta_lights(const Scene& scene, const Vertex& vertex, int phase, int hero,
                                  PathCounters& counters) {
     float sum = 0.0f;

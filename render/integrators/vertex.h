@@ -15,6 +15,8 @@ struct Vertex {
   bool transmits;
   bool only_delta;
 
+  Vertex() = default;  // uninitialised
+
   // `direction` is the ray's, towards the surface. Opaque surfaces look the same from both sides:
   // their frame is turned to the viewer. For the others the inside is where wo.z < 0.
   Vertex(const SurfaceHit& hit, Vec3 direction, SampledWavelengths wavelengths,

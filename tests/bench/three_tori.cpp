@@ -64,8 +64,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-RenderResult render_once(const Scene& scene) {
-  Film film(scene.settings.crop, {}, Sensor::make(scene.settings.observer, scene.lattice));
+RenderResult render_once(const Scene& scene, Film& film) {
   RenderOptions options;
   options.threads = 1;
   return render(scene, options, film);
@@ -83,9 +82,10 @@ std::size_t replay(const RayScene& scene, const std::vector<RecordedRay>& rays) 
 
 void measure(const std::string& file) {
   Scene scene = load_scene(file);
+  Film film(scene.settings.crop, {}, Sensor::make(scene.settings.observer, scene.lattice));
   std::vector<RecordedRay> rays;
   scene.world.rays().record_to(&rays);
-  const PathCounters counters = render_once(scene).counters;
+  const PathCounters counters = render_once(scene, film).counters;
   scene.world.rays().record_to(nullptr);
 
   const InstructionCounter instructions;
@@ -95,7 +95,7 @@ void measure(const std::string& file) {
   for (int i = 0; i < kRepetitions; ++i) {
     const double start = cpu_seconds();
     const long long first = instructions.read_count();
-    render_once(scene);
+    render_once(scene, film);
     instructions_per_vertex.push_back(static_cast<double>(instructions.read_count() - first) /
                                       vertices);
     const double middle = cpu_seconds();
