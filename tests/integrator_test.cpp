@@ -192,3 +192,58 @@ TEST_CASE("path tracer = reference: lamps of meshes and spheres, two-sided, imag
   check_agreement(
       compare(path("unbiased_lamps", overrides), reference("unbiased_lamps", overrides)));
 }
+
+// A sphere of radiance L and radius R, its middle h above a surface and d away from a point of it,
+// gives the irradiance pi L R^2 h / d^3 there, as long as it is above the horizon; a point of
+// intensity I gives I h / d^3. The gap is a sixth of the radius, so that the last step of the path
+// is short against the scene's coordinates.
+TEST_CASE("lamps close to a surface light it by the closed form, wherever the scene lies",
+          "[integrator]") {
+  const double radius = 0.6, height = 0.7, aside = 0.3, reflectance = 0.5, emitted = 3.0;
+  for (const double away : {0.0, 5.0, 50.0}) {
+    for (const bool sphere : {true, false}) {
+      const auto at = [&](double x, double z) { return nlohmann::json{x + away, away, z + away}; };
+      nlohmann::json scene = {
+          {"camera",
+           {{"type", "perspective"},
+            {"position", at(3, 0.3)},
+            {"look_at", at(aside, 0)},
+            {"fov_deg", 0.05}}},
+          {"film", {{"width", 4}, {"height", 4}}},
+          {"sampling", {{"spp", 4096}, {"sampler", "independent"}}},
+          {"integrator", {{"type", "path"}, {"max_depth", 1}}},
+          {"wavelengths", {{"min", 360}, {"max", 830}}},
+          {"materials", {{"floor", {{"type", "diffuse"}, {"reflectance", reflectance}}}}},
+          {"shapes",
+           {{{"type", "rectangle"},
+             {"material", "floor"},
+             {"width", 8},
+             {"height", 8},
+             {"transform", {{{"translate", at(0, 0)}}}}}}}};
+      if (sphere) {
+        scene["shapes"].push_back({{"type", "sphere"},
+                                   {"radius", radius},
+                                   {"emission", emitted},
+                                   {"transform", {{{"translate", at(0, height)}}}}});
+      } else {
+        scene["lights"] = {
+            {{"type", "point"}, {"intensity", emitted}, {"position", at(0, height)}}};
+      }
+      const double d = std::hypot(height, aside),
+                   per_intensity = reflectance * height / (d * d * d);
+      const double expected = per_intensity * emitted * (sphere ? radius * radius : M_1_PI);
+      const Film film = test::rendered(test::scene_from(scene));
+      double sum = 0.0, variance = 0.0, pixels = 0.0;
+      test::for_each_pixel(film, [&](int x, int y) {
+        const PixelValue value = film.pixel(x, y);
+        sum += value.xyz[1], variance += value.variance_of_mean, ++pixels;
+      });
+      const double mean = sum / pixels, error = std::sqrt(variance) / pixels;
+      CAPTURE(away, sphere, mean, error, expected);
+      // The camera's pixels cover 0.1 % of the distance; at 50 units floats place the floor as
+      // well.
+      CHECK(std::abs(mean - expected) < 4.0 * error + 1e-3 * expected);
+      CHECK(error < 2e-3 * expected);
+    }
+  }
+}

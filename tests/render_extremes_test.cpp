@@ -100,6 +100,33 @@ TEST_CASE("delicate scenes of any size give no sample that must be dropped", "[e
   }
 }
 
+// The same numbers at every size: apart from paths that rounding sends another way, the noise is
+// the same too, and four standard errors are a wide bound.
+TEST_CASE("neither the size of a scene nor its place changes the image's mean", "[extremes]") {
+  const auto mean_and_error = [](double size, double away) {
+    json scene = extreme_scene(size, away);
+    scene["shapes"].erase(scene["shapes"].size() - 1);  // the tiny lamp: all noise
+    scene["shapes"].erase(3), scene["shapes"].erase(2);
+    scene["lights"].erase(1);
+    scene["sampling"]["spp"] = 256;
+    scene["camera"]["position"] = {size * away, size * (-6 - away), size * 2};
+    const Film film = test::rendered(test::scene_from(scene));
+    double variance = 0.0, pixels = 0.0;
+    test::for_each_pixel(
+        film, [&](int x, int y) { variance += film.pixel(x, y).variance_of_mean, ++pixels; });
+    return std::pair{mean_luminance(film), std::sqrt(variance) / pixels};
+  };
+  const auto [expected, error] = mean_and_error(1.0, 0.0);
+  CHECK(error < 0.01 * expected);
+  for (const double size : {0x1p-10, 0x1p14}) {
+    for (const double away : {0.0, 64.0}) {
+      const double mean = mean_and_error(size, away).first;
+      CAPTURE(size, away, mean, expected, error);
+      CHECK(std::abs(mean - expected) < 4.0 * error);
+    }
+  }
+}
+
 TEST_CASE("emission at the edge of floats is not dropped silently", "[extremes]") {
   for (const double radiance : {1e-30, 1e12}) {
     json scene = json::parse(R"({

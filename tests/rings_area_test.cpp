@@ -57,7 +57,8 @@ double value(const Image& image, int x, int y, std::size_t channel) {
 
 TEST_CASE("the rings' mean colour is that of another renderer within 0.3 %", "[rings_area]") {
   if (!available()) return;
-  const auto& [ours, theirs, film] = both();
+  const Image &ours = both().ours, &theirs = both().theirs;
+  const Film& film = both().film;
   REQUIRE(theirs.channels.size() >= 3);
   REQUIRE(ours.values.size() / ours.channels.size() ==
           theirs.values.size() / theirs.channels.size());
@@ -76,7 +77,8 @@ TEST_CASE("the rings' mean colour is that of another renderer within 0.3 %", "[r
 // quarter of our wavelengths; and the 0.3 % that are granted to the means.
 TEST_CASE("every block of the rings is that of another renderer, within noise", "[rings_area]") {
   if (!available()) return;
-  const auto& [ours, theirs, film] = both();
+  const Image &ours = both().ours, &theirs = both().theirs;
+  const Film& film = both().film;
   double worst = 0.0;
   for (int y0 = 0; y0 < ours.height; y0 += kBlock) {
     for (int x0 = 0; x0 < ours.width; x0 += kBlock) {
