@@ -25,8 +25,8 @@ enum class Transport : std::uint8_t { kRadiance, kImportance };
 
 struct BsdfValue {
   SampledSpectrum value;  // f |cos wi|; zero where the model does not scatter, and for delta lobes
-  float pdf;              // density with which sample() of this path's hero lane returns wi; 0 where
-                          // the value is zero in every lane
+  float pdf;  // density with which sample() of this path's hero lane returns wi; 0 where
+              // the value is zero in every lane
 };
 
 struct BsdfSample {

@@ -16,9 +16,9 @@ struct ComplexIndex {
 
 // Where a table comes from; written into every image that used it.
 struct Provenance {
-  std::string name;        // catalogue id "main/Au/Johnson", or what an inline value is
-  std::string file;        // path of the file, empty for inline values
-  std::string reference;   // the citation as the file gives it, markup removed
+  std::string name;       // catalogue id "main/Au/Johnson", or what an inline value is
+  std::string file;       // path of the file, empty for inline values
+  std::string reference;  // the citation as the file gives it, markup removed
   std::string comments;
   std::string conditions;
 };
@@ -28,8 +28,8 @@ class IndexTable {
   virtual ~IndexTable() = default;
 
   // n and k at a wavelength in nm, finite. Outside `range()` the end values are held; whoever needs
-  // the range to hold asks first (see require_coverage). Throws InputError where a dispersion formula
-  // gives no index although its range says so (n^2 < 0, a pole).
+  // the range to hold asks first (see require_coverage). Throws InputError where a dispersion
+  // formula gives no index although its range says so (n^2 < 0, a pole).
   virtual ComplexIndex at(double wavelength_nm) const = 0;
 
   // Where n (and k, where the table has any) were measured: the joint range.
@@ -49,8 +49,8 @@ using IndexTablePtr = std::shared_ptr<const IndexTable>;
 // A table of one value at every wavelength: "n = 1.5".
 IndexTablePtr constant_index(ComplexIndex index);
 
-// A table from spectra of n and k (inline values of a scene, .spd file pairs); k may be null. Throws
-// InputError where no wavelength has both.
+// A table from spectra of n and k (inline values of a scene, .spd file pairs); k may be null.
+// Throws InputError where no wavelength has both.
 IndexTablePtr index_from_spectra(SpectrumPtr n, SpectrumPtr k, Provenance provenance,
                                  std::vector<std::string> warnings = {});
 

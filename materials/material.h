@@ -20,8 +20,8 @@ struct ShadingPoint {
   Vec2 uv;
 };
 
-// Room for one Bsdf: no heap in the loop. A Bsdf is trivially destructible in effect: its destructor
-// is never run, so it holds pointers and values only.
+// Room for one Bsdf: no heap in the loop. A Bsdf is trivially destructible in effect: its
+// destructor is never run, so it holds pointers and values only.
 class BsdfStorage {
  public:
   template <typename B, typename... Args>
@@ -43,7 +43,8 @@ class Material {
   virtual const Bsdf* prepare(const ShadingPoint& point, SampledWavelengths wavelengths,
                               Transport transport, BsdfStorage& storage) const = 0;
 
-  // True where every lobe is a delta (smooth mirror, smooth glass): light sampling is useless there.
+  // True where every lobe is a delta (smooth mirror, smooth glass): light sampling is useless
+  // there.
   virtual bool only_delta() const { return false; }
 
   // True where a Bsdf depends on uv or on the direction of the tangent; else neither is computed.
@@ -67,7 +68,8 @@ class MaterialType {
   virtual ~MaterialType() = default;
   virtual std::string description() const = 0;
   virtual std::vector<ParameterInfo> parameters() const = 0;
-  // Throws InputError (without file and place: the loader adds them) where values do not fit together.
+  // Throws InputError (without file and place: the loader adds them) where values do not fit
+  // together.
   virtual std::unique_ptr<const Material> create(const Parameters& parameters,
                                                  const MaterialContext& context) const = 0;
 };

@@ -1,6 +1,6 @@
-// Described parameters: every registered type (material, shape, light, camera) lists its parameters,
-// and receives their checked values. The scene loader reads them, the schema and the help are
-// written from the same list; no type parses anything itself.
+// Described parameters: every registered type (material, shape, light, camera) lists its
+// parameters, and receives their checked values. The scene loader reads them, the schema and the
+// help are written from the same list; no type parses anything itself.
 #pragma once
 
 #include <limits>
@@ -18,8 +18,8 @@
 namespace karat {
 
 enum class ParameterType {
-  kNumber,       // double
-  kInteger,      // double, whole
+  kNumber,   // double
+  kInteger,  // double, whole
   kBoolean,
   kString,       // free text
   kChoice,       // one of `choices`
@@ -47,8 +47,8 @@ struct ParameterInfo {
 using ParameterValue =
     std::variant<double, bool, std::string, Vec3, Vec2, SpectrumPtr, IndexTablePtr>;
 
-// Checked values by name. The getters throw std::logic_error when a type asks for a parameter that it
-// did not list, or with the wrong type: a mistake in the program, not in the input.
+// Checked values by name. The getters throw std::logic_error when a type asks for a parameter that
+// it did not list, or with the wrong type: a mistake in the program, not in the input.
 class Parameters {
  public:
   void set(const std::string& name, ParameterValue value) { values_[name] = std::move(value); }

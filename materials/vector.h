@@ -49,9 +49,8 @@ struct Frame {
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
     const float b = n.x * n.y * a;
-    return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x},
-            {b, sign + n.y * n.y * a, -n.y},
-            n};
+    return {
+        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
   // The frame around a unit normal whose s axis is nearest to `tangent`, which need be neither unit
   // nor orthogonal; any frame where the tangent is parallel to the normal or zero.

@@ -1,6 +1,6 @@
 // A luminous disk, sampled uniformly over its area.
-#include "render/area_light.h"
 #include "materials/sampling.h"
+#include "render/area_light.h"
 
 namespace karat {
 namespace {

@@ -1,8 +1,8 @@
 // A luminous sphere: its visible cap is sampled uniformly in solid angle.
 #include <cmath>
 
-#include "render/area_light.h"
 #include "materials/sampling.h"
+#include "render/area_light.h"
 
 namespace karat {
 namespace {

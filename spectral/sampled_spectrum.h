@@ -1,8 +1,8 @@
 // This path's values of a spectral quantity: one float for each of its kLanes wavelengths.
 //
-// Every operation is a plain loop of constant length over a plain array. The OpenMP pragma (compiled
-// with -fopenmp-simd: no run-time library) makes each of them one or two vector instructions; without
-// it GCC unrolls some of them to scalar code before it tries to vectorise.
+// Every operation is a plain loop of constant length over a plain array. The OpenMP pragma
+// (compiled with -fopenmp-simd: no run-time library) makes each of them one or two vector
+// instructions; without it GCC unrolls some of them to scalar code before it tries to vectorise.
 #pragma once
 
 #include <algorithm>

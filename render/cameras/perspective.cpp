@@ -9,8 +9,8 @@
 // importance x (number of pixels) to the mean radiance of the pixel where it lands.
 #include <cmath>
 
-#include "render/camera.h"
 #include "materials/sampling.h"
+#include "render/camera.h"
 #include "spectral/support/error.h"
 
 namespace karat {

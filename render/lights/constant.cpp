@@ -1,6 +1,6 @@
 // The same radiance from every direction.
-#include "render/area_light.h"
 #include "materials/sampling.h"
+#include "render/area_light.h"
 #include "render/light.h"
 
 namespace karat {

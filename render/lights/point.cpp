@@ -1,8 +1,8 @@
 // A point that shines equally in every direction.
 #include <cmath>
 
-#include "render/area_light.h"
 #include "materials/sampling.h"
+#include "render/area_light.h"
 #include "render/light.h"
 
 namespace karat {

@@ -50,6 +50,6 @@ class Registry {
 //   KARAT_REGISTER(FresnelModel, "schlick", SchlickFresnel);
 #define KARAT_REGISTER_CONCAT_(a, b) a##b
 #define KARAT_REGISTER_NAME_(line) KARAT_REGISTER_CONCAT_(karat_registered_, line)
-#define KARAT_REGISTER(Kind, name, Class)                           \
+#define KARAT_REGISTER(Kind, name, Class)                             \
   [[maybe_unused]] static const bool KARAT_REGISTER_NAME_(__LINE__) = \
       ::karat::Registry<Kind>::instance().add(name, std::make_unique<const Class>())

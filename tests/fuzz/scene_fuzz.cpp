@@ -10,8 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Valid scenes of huge meshes only cost time and memory: no "segments" above three digits.
   for (std::size_t at = 0; (at = text.find("segments", at)) != std::string::npos; ++at) {
     const std::size_t digit = text.find_first_of("123456789", at);
-    if (digit != std::string::npos &&
-        text.find_first_not_of("0123456789", digit) - digit > 3) {
+    if (digit != std::string::npos && text.find_first_not_of("0123456789", digit) - digit > 3) {
       return -1;
     }
   }
