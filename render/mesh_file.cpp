@@ -3,6 +3,7 @@
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -219,7 +220,8 @@ Mesh read_mesh_file(const std::string& path) {
     if (scene) scene = importer.ApplyPostProcessing(steps);
     if (!scene || !scene->mRootNode) {
       throw InputError(path, "",
-                       std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+                       fmt::format("cannot be read as a mesh, or has no triangles: {}",
+                                   importer.GetErrorString()));
     }
     Collector collector(path);
     collector.add_node(*scene, *scene->mRootNode);

@@ -109,7 +109,7 @@ OcioView::OcioView(const std::string& config_path, const std::string& display,
   made->display = display.empty() ? config.getDefaultDisplay() : display;
   require_known(made->path, "display", made->display, display_names(config));
   made->view = view.empty() ? config.getDefaultView(made->display.c_str()) : view;
-  require_known(made->path, "view of display \"" + made->display + "\"", made->view,
+  require_known(made->path + ": display \"" + made->display + "\"", "view", made->view,
                 view_names(config, made->display));
   try {
     // Lossless: the default level allows approximated powers, and was no faster.

@@ -82,7 +82,7 @@ TEST_CASE("help and version succeed; every command's help shows an example", "[c
     const Outcome command = karat_run({name, "--help"});
     INFO(name);
     CHECK(command.code == 0);
-    CHECK_THAT(command.out, Contains("Example"));
+    CHECK_THAT(command.out, Contains("Example: karat " + name));
   }
 }
 
@@ -112,6 +112,13 @@ TEST_CASE("wrong usage: exit code 2 and the nearest name", "[cli]") {
   wrong({"render", scene, "-o", "a.exr", "--progress", "loud"}, "loud");
   wrong({"render", scene, "-o", "a.exr", "-D", "film"}, "PATH=VALUE");
   wrong({"render", scene, "--spectral", "a.exr", "--spectral-bins", "7"}, "power of two");
+  wrong({"render", scene, "-o", "a.exr", "--time", "nan"}, "nan");
+  wrong({"nk", "shwo"}, "did you mean \"show\"");
+  wrong({"nk", "show"}, "karat nk show --help");
+  wrong({"nk", "show", "main/Au/Johnson", "--nm", "450,red"}, "found \"red\"");
+  wrong({"nk", "show", "main/Au/Johnson", "--nm", "nan"}, "found \"nan\"");
+  wrong({"nk", "show", "main/Au/Johnson", "--jsn"}, "did you mean --json");
+  wrong({"fresnel", "eval", "--model", "shlick"}, "did you mean \"schlick\"");
 }
 
 TEST_CASE("invalid input: exit code 3 and no image", "[cli]") {
