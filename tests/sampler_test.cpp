@@ -91,7 +91,8 @@ TEST_CASE("Sobol pairs integrate a smooth function far better than independent o
     double worst = 0.0;
     for (std::uint32_t seed = 0; seed < 8; ++seed) {
       double sum = 0.0;
-      for (const Vec2& p : pairs_of(kind, seed, kCount)[2]) {
+      const auto pairs = pairs_of(kind, seed, kCount);
+      for (const Vec2& p : pairs[2]) {
         sum += std::exp(double{p.x} * double{p.y});
       }
       worst = std::max(worst, std::abs(sum / kCount - 1.3179021514544038));  // Ei(1) - gamma
