@@ -1,6 +1,4 @@
 // Any bytes are a table or an InputError: no crash, no hang, no value that is not finite.
-//   karat is built with -DKARAT_FUZZ=ON; run with -max_len=4096 -timeout=5 and some tables as
-//   seeds.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
