@@ -1,4 +1,5 @@
 // Files that are either whole or not there: written beside their place, then renamed.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -25,8 +26,7 @@ fs::path target_of(const std::string& path) {
 }
 
 fs::path temporary_beside(const fs::path& target) {
-  return target.parent_path() /
-         ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
+  return target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
 }
 
 void require_replaceable(const std::string& path, const fs::path& target) {
