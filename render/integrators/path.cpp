@@ -132,7 +132,9 @@ class Path {
     last_dispersive_ = sample->dispersive;
     last_position_ = vertex_.position;
     ray_ = vertex_.spawn(direction);
-    if (depth == 0 && sample_.first_hit.wanted) sample_.first_hit.albedo = throughput_;
+    if (depth == 0 && sample_.first_hit.wanted) {
+      sample_.first_hit.albedo = throughput_ * (1.0f / densities_.mean_ratio);
+    }
     return depth + 1 < kRouletteDepth || survives(numbers_.roulette);
   }
 
