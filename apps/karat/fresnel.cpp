@@ -200,10 +200,12 @@ class FresnelCommand final : public Command {
   void add_to(CLI::App& app, std::function<int()>& action) const override {
     CLI::App* fresnel = app.add_subcommand("fresnel", "Fresnel models: list them, evaluate them");
     fresnel->require_subcommand(1);
+    fresnel->footer("Example: karat fresnel list");
     add_eval(*fresnel, action);
     CLI::App* listing = fresnel->add_subcommand("list", "List the Fresnel models");
     const auto as_json = std::make_shared<bool>(false);
     listing->add_flag("--json", *as_json, "Machine-readable output");
+    listing->footer("Example: karat fresnel list --json");
     listing->callback([&action, as_json] { action = [as_json] { return list(*as_json); }; });
   }
 
@@ -227,10 +229,10 @@ class FresnelCommand final : public Command {
                      "CSV with the header n,k,theta_deg[,n_exterior]; - is standard input")
         ->capture_default_str();
     eval->footer(
-        "Prints the lines with Rs, Rp and R appended; Rs and Rp stay empty where a model knows "
-        "only "
-        "R.\nExample: printf 'n,k,theta_deg\\n0.4233,2.3973,60\\n' | karat fresnel eval --model "
-        "schlick");
+        "Prints the lines with Rs, Rp and R appended, with 9 digits (17 in double precision);\n"
+        "Rs and Rp stay empty where a model knows only R.\n"
+        "Example: printf 'n,k,theta_deg\\n0.4233,2.3973,60\\n' | "
+        "karat fresnel eval --model schlick");
     eval->callback([&action, options] { action = [options] { return evaluate(*options); }; });
   }
 };

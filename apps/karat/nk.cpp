@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/karat/command.h"
+#include "apps/karat/number_check.h"
 #include "materials/index_catalogue.h"
 #include "materials/index_colour.h"
 #include "spectral/support/error.h"
@@ -219,7 +220,7 @@ class NkCommand final : public Command {
         ->required();
     show->add_option("--nm", options->wavelengths_nm, "Wavelengths in nm: 400,550,700")
         ->delimiter(',')
-        ->check(CLI::Range(1e-3, 1e9));
+        ->check(number_check(1e-3, 1e9));
     show->add_flag("--json", options->as_json, "Machine-readable output");
     show->footer("Example: karat nk show main/Au/Johnson --nm 450,550,650");
     show->callback([&action, options] { action = [options] { return run_show(*options); }; });

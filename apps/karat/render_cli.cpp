@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "apps/karat/number_check.h"
 #include "apps/karat/render_output.h"
 #include "materials/fresnel.h"
 #include "render/scene_settings.h"
@@ -102,7 +103,7 @@ void add_run_options(CLI::App& command, Options& options) {
   command
       .add_option("--time", options.time_limit_seconds,
                   "Seconds after which to stop; alone, until then however many samples")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(number_check(0.0, 1e9));
   command.add_option("--checkpoint", options.checkpoint,
                      "File for the unfinished render, saved every 30 s and at the end");
   command.add_flag("--resume", options.resume, "Go on from the checkpoint file")
@@ -114,7 +115,8 @@ void add_run_options(CLI::App& command, Options& options) {
 }
 
 void add_display_options(CLI::App& command, Options& options) {
-  command.add_option("--exposure", options.exposure_stops, "Stops, for display views only [0]");
+  command.add_option("--exposure", options.exposure_stops, "Stops, for display views only [0]")
+      ->check(number_check(-100.0, 100.0));
   command.add_option("--display", options.display, "Display of the OpenColorIO configuration");
   command.add_option("--view", options.view, "View of that display");
   command.add_option("--ocio", options.ocio,

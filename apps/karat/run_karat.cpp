@@ -38,23 +38,33 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-// The subcommand that was given, or the program itself.
-const CLI::App& chosen_app(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app : *chosen.front();
+// The program, the command that was given, and the command within that one.
+std::vector<const CLI::App*> chosen_apps(const CLI::App& app) {
+  std::vector<const CLI::App*> chain{&app};
+  for (auto chosen = app.get_subcommands(); !chosen.empty();) {
+    chain.push_back(chosen.front());
+    chosen = chain.back()->get_subcommands();
+  }
+  return chain;
 }
 
-// What the user wrote that nothing is known about: the first argument that is not an option of
-// `app`.
-std::string suggestion(const CLI::App& app, const std::vector<std::string>& arguments) {
-  const CLI::App& chosen = chosen_app(app);
-  const bool command_given = &chosen != &app;
-  const std::vector<std::string> options = option_names(chosen);
+std::string unknown_command(const CLI::App& app, std::size_t depth,
+                            const std::vector<std::string>& arguments) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) known.push_back(command->get_name());
+  if (known.empty()) return "";
+  for (const auto& argument : arguments) {
+    if (argument.empty() || argument.front() == '-' || depth-- > 0) continue;
+    return unknown_name_message("command", argument, known);
+  }
+  return "";
+}
+
+// What the user wrote that nothing is known about: the first option that `app` does not have.
+std::string unknown_option(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const std::vector<std::string> options = option_names(app);
   for (const auto& argument : arguments) {
     const std::string name = argument.substr(0, argument.find('='));
-    if (!command_given && !name.empty() && name.front() != '-') {
-      return unknown_name_message("command", name, Registry<Command>::instance().names());
-    }
     const bool known = std::find(options.begin(), options.end(), name) != options.end();
     if (name.starts_with("--") && name.size() > 2 && !known) {
       const std::string near = nearest_name(name, options);
@@ -66,10 +76,12 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& argu
 
 int usage_error(const CLI::App& app, const CLI::ParseError& error,
                 const std::vector<std::string>& arguments) {
-  std::string message = error.what();
-  if (const std::string better = suggestion(app, arguments); !better.empty()) message = better;
-  const CLI::App& chosen = chosen_app(app);
-  const std::string command = &chosen == &app ? "karat" : "karat " + chosen.get_name();
+  const auto chain = chosen_apps(app);
+  std::string message = unknown_command(*chain.back(), chain.size() - 1, arguments);
+  if (message.empty()) message = unknown_option(*chain.back(), arguments);
+  if (message.empty()) message = error.what();
+  std::string command = "karat";
+  for (std::size_t i = 1; i < chain.size(); ++i) command += " " + chain[i]->get_name();
   return fail(kWrongUsage, message + "\nSee " + command + " --help.");
 }
 
