@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstddef>
 #include <cstring>
 #include <mutex>
 #include <string>
@@ -131,12 +132,20 @@ void RayScene::commit() {
 
 namespace {
 
+// Embree loads origin and direction as vectors of four, which waits long for four separate stores:
+// so they are stored as vectors too.
+typedef float Float4 __attribute__((vector_size(16)));
+
 RTCRay to_embree(const EmbreeRay& ray) {
+  constexpr float kTime = 0.0f;
+  const Float4 origin{ray.origin[0], ray.origin[1], ray.origin[2], ray.tnear};
+  const Float4 direction{ray.direction[0], ray.direction[1], ray.direction[2], kTime};
   RTCRay r;
-  r.org_x = ray.origin[0], r.org_y = ray.origin[1], r.org_z = ray.origin[2];
-  r.dir_x = ray.direction[0], r.dir_y = ray.direction[1], r.dir_z = ray.direction[2];
-  r.tnear = ray.tnear, r.tfar = ray.tfar;
-  r.time = 0.0f;
+  static_assert(offsetof(RTCRay, tnear) == 12 && offsetof(RTCRay, dir_x) == 16 &&
+                offsetof(RTCRay, time) == 28);
+  std::memcpy(&r.org_x, &origin, sizeof origin);
+  std::memcpy(&r.dir_x, &direction, sizeof direction);
+  r.tfar = ray.tfar;
   r.mask = kEverything;
   r.id = 0;
   r.flags = 0;
@@ -147,9 +156,14 @@ RTCRay to_embree(const EmbreeRay& ray) {
 
 void RayScene::record_to(std::vector<RecordedRay>* target) { record_ = target; }
 
+// Apart from the callers, which would load the whole ray before they know that nobody listens.
+[[gnu::noinline]] void RayScene::record(const EmbreeRay& ray, bool occlusion) const {
+  record_->push_back({ray, occlusion});
+}
+
 bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
   if (record_) [[unlikely]]
-    record_->push_back({ray, false});
+    record(ray, false);
   RTCRayHit query;
   query.ray = to_embree(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -173,7 +187,7 @@ bool RayScene::intersect(const EmbreeRay& ray, EmbreeHit& hit) const {
 
 bool RayScene::occluded(const EmbreeRay& ray) const {
   if (record_) [[unlikely]]
-    record_->push_back({ray, true});
+    record(ray, true);
   RTCRay query = to_embree(ray);
 #if RTC_VERSION_MAJOR >= 4
   rtcOccluded1(scene_, &query);

@@ -65,6 +65,8 @@ class RayScene {
   void bounds(float lower[3], float upper[3]) const;
 
  private:
+  void record(const EmbreeRay& ray, bool occlusion) const;
+
   RTCSceneTy* scene_;
   std::vector<RecordedRay>* record_ = nullptr;
 };

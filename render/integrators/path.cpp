@@ -70,7 +70,7 @@ class Path {
     if (depth >= scene_.settings.max_depth || !hit_.surface->material) return false;
     ++counters.vertices;
     numbers_ = sample_.sampler.vertex(depth);
-    vertex_ = Vertex(hit_, ray_.direction, wavelengths_, storage_);
+    vertex_.set(hit_, ray_.direction, wavelengths_, storage_);
     return true;
   }
 

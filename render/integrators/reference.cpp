@@ -46,7 +46,8 @@ class ReferenceIntegrator final : public Integrator {
       if (depth >= scene.settings.max_depth || !hit.surface->material) break;
 
       BsdfStorage storage;
-      const Vertex vertex(hit, ray.direction, wavelengths, storage);
+      Vertex vertex;
+      vertex.set(hit, ray.direction, wavelengths, storage);
       ++counters.vertices;
       const VertexNumbers u = sampler.vertex(depth);
       result += throughput * from_delta_lights(scene, vertex, phase, hero, counters);

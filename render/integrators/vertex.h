@@ -15,25 +15,19 @@ struct Vertex {
   bool transmits;
   bool only_delta;
 
-  Vertex() = default;  // uninitialised
-
   // `direction` is the ray's, towards the surface. Opaque surfaces look the same from both sides:
   // their frame is turned to the viewer. For the others the inside is where wo.z < 0.
-  Vertex(const SurfaceHit& hit, Vec3 direction, SampledWavelengths wavelengths,
-         BsdfStorage& storage) {
+  void set(const SurfaceHit& hit, Vec3 direction, SampledWavelengths wavelengths,
+           BsdfStorage& storage) {
     transmits = hit.surface->transmits;
     only_delta = hit.surface->only_delta;
     position = hit.position;
-    geometric_normal = hit.geometric_normal;
-    Vec3 shading_normal = hit.shading_normal;
-    if (!transmits && dot(direction, geometric_normal) > 0.0f) {
-      geometric_normal = -geometric_normal;
-      shading_normal = -shading_normal;
-    }
-    frame = Frame::around(shading_normal, hit.tangent);
+    const bool turn = !transmits && dot(direction, hit.geometric_normal) > 0.0f;
+    geometric_normal = turn ? -hit.geometric_normal : hit.geometric_normal;
+    frame = Frame::around(turn ? -hit.shading_normal : hit.shading_normal, hit.tangent);
     wo = frame.to_local(-direction);
-    bsdf = hit.surface->material->prepare({hit.position, hit.uv}, wavelengths, Transport::kRadiance,
-                                          storage);
+    bsdf = hit.surface->material->prepare({hit.position, hit.uv}, wavelengths,
+                                          Transport::kRadiance, storage);
   }
 
   // Whether a world direction leaves on the side that the local one is on: an interpolated normal
