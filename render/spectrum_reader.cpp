@@ -108,7 +108,7 @@ SpectrumPtr emission_before_scale(const JsonValue& object, const ReadContext& co
     return rgb_illuminant_spectrum(read_rgb(object, 1e12), lamp);
   }
   object.allow_keys({"rgb", "illuminant", "blackbody", "table", "file", "scale", "luminance"});
-  const std::string kind = kind_of(object, {"illuminant", "blackbody", "table", "file"});
+  const std::string kind = kind_of(object, {"rgb", "illuminant", "blackbody", "table", "file"});
   const JsonValue value = object.member(kind);
   const Allowed allowed{0.0, kLargestValue};
   if (kind == "illuminant") return named_illuminant(value);
