@@ -117,6 +117,7 @@ TEST_CASE("bad values: the message names place, finding and what is allowed", "[
       {"/shapes/0/emission", "bright", {"found \"bright\"", "blackbody"}},
       {"/shapes/0/emission", {{"blackbody", 0}}, {"found 0", "100 to"}},
       {"/shapes/0/emission", {{"illuminant", "D66"}}, {"D65"}},
+      {"/shapes/0/emission", {{"scale", 2}}, {"one of: rgb, illuminant, blackbody"}},
       {"/shapes/0/emission",
        {{"illuminant", "E"}, {"scale", 1}, {"luminance", 1}},
        {"exclude each other"}},
