@@ -19,6 +19,13 @@ target_compile_options(karat_options INTERFACE
   -fno-semantic-interposition)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
+# GCC takes a SampledSpectrum that is copied apart into single floats, stores them one by one, and then
+# waits for them to load the vector again. This keeps aggregates of more than 32 bytes whole.
+set(karat_keep_lanes_whole "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(karat_keep_lanes_whole "--param=sra-max-scalarization-size-Ospeed=32")
+endif()
+
 # Flags that name an instruction set exist on x86 only; elsewhere the compiler's own choice stands.
 if(KARAT_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i.86)$")
   set(march ${KARAT_ARCH})
