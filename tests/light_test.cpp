@@ -273,11 +273,18 @@ TEST_CASE("a rectangle irradiates as its configuration factor says", "[light]") 
 TEST_CASE("a rectangle's solid angle is right far, near and from the side", "[light]") {
   const auto light = area_light(kRectangle);
   // The closed form for a point above the middle (half sides a = 1, b = 1/2), in double.
-  for (const float z : {1e-5f, 0.001f, 0.1f, 1.0f, 10.0f, 30.0f}) {
+  for (const float z : {1e-5f, 0.001f, 0.1f, 1.0f, 3.0f}) {
     const double d = z, solid_angle = 4 * std::asin(0.5 / std::sqrt((1 + d * d) * (0.25 + d * d)));
     const auto s = light->sample({0, 0, -z}, {0.5f, 0.5f}, 0);
     REQUIRE(s);
     CHECK(double{s->pdf} * solid_angle == Approx(1.0).epsilon(1e-5));
+  }
+  // Far away (here beyond 3.2) points are uniform over the area of 2: the density is d^2 / (A cos).
+  for (const float z : {10.0f, 30.0f}) {
+    const auto s = light->sample({0, 0, -z}, {0.9f, 0.1f}, 0);
+    REQUIRE(s);
+    const double cosine = z / double{s->distance};
+    CHECK(double{s->pdf} == Approx(double{s->distance} * s->distance / (2 * cosine)).epsilon(1e-5));
   }
   // A millionfold copy a millionfold away is the same light.
   const RectangleGeometry large{{-1e6f, 5e5f, 0}, {2e6f, 0, 0}, {0, -1e6f, 0}};
