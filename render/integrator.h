@@ -50,7 +50,7 @@ struct CameraSample {
 
 // Camera samples come in batches: their paths are independent, and a processor that works on
 // several of them at a time waits for none.
-inline constexpr int kBatch = 32;
+inline constexpr int kBatch = 8;
 
 // Stateless and shared; registered by name: KARAT_REGISTER(Integrator, "path", PathIntegrator);
 class Integrator {

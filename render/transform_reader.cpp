@@ -34,7 +34,7 @@ Transform read_scale(const JsonValue& value) {
 Transform read_look_at(const JsonValue& value) {
   value.allow_keys({"from", "to", "up"});
   const Vec3 from = read_vector(value.member("from")), to = read_vector(value.member("to"));
-  const Vec3 up = value.has("up") ? read_vector(value.member("up")) : Vec3{0, 1, 0};
+  const Vec3 up = value.has("up") ? read_vector(value.member("up")) : Vec3{0, 0, 1};
   const Vec3 z = to - from, x = cross(up, z);
   if (!(length_squared(x) > 1e-12f * length_squared(up) * length_squared(z))) {
     value.fail("\"from\" and \"to\" must differ, and \"up\" must not point along the view");

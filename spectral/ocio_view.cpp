@@ -143,8 +143,11 @@ void OcioView::apply(float* rgb, std::size_t pixels) const {
 
 std::string OcioView::description() const {
   const Implementation& i = *implementation_;
+  // Karat's own configuration is named without the folder that it happens to lie in.
+  const std::string config =
+      i.path == data_path("ocio/config.ocio") ? std::string("Karat's own") : i.path;
   std::string text =
-      "config " + i.path + ", display \"" + i.display + "\", view \"" + i.view + "\"";
+      "config " + config + ", display \"" + i.display + "\", view \"" + i.view + "\"";
   if (i.exposure_stops != 0.0) {
     text += ", exposure " + fmt::format("{:g}", i.exposure_stops) + " stops";
   }
