@@ -26,8 +26,8 @@ struct Vertex {
     geometric_normal = turn ? -hit.geometric_normal : hit.geometric_normal;
     frame = Frame::around(turn ? -hit.shading_normal : hit.shading_normal, hit.tangent);
     wo = frame.to_local(-direction);
-    bsdf = hit.surface->material->prepare({hit.position, hit.uv}, wavelengths,
-                                          Transport::kRadiance, storage);
+    bsdf = hit.surface->material->prepare({hit.position, hit.uv}, wavelengths, Transport::kRadiance,
+                                          storage);
   }
 
   // Whether a world direction leaves on the side that the local one is on: an interpolated normal
