@@ -54,14 +54,14 @@ class Bsdf {
   virtual Lobes lobes() const = 0;
 
   // Value and density together: next-event estimation needs both, and they share most terms.
-  virtual BsdfValue evaluate(Vec3 wo, Vec3 wi) const = 0;
+  virtual BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const = 0;
 
   // No sample means that the path ends here (absorbed, or the direction fell below the surface).
-  virtual std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const = 0;
+  virtual std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const = 0;
 
   // Density of wi for every lane as hero; models whose directions do not depend on wavelength (all
   // but dispersive ones) keep this: the same density in every lane.
-  virtual SampledSpectrum lane_pdfs(Vec3 wo, Vec3 wi) const {
+  virtual SampledSpectrum lane_pdfs(const Vec3& wo, const Vec3& wi) const {
     return SampledSpectrum(evaluate(wo, wi).pdf);
   }
   virtual bool dispersive() const { return false; }

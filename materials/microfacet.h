@@ -21,15 +21,15 @@ class MicrofacetDistribution {
   virtual std::string description() const = 0;
 
   // Density of normals per unit area and solid angle, at a unit normal m with m.z > 0.
-  virtual float d(Vec3 m, Vec2 alpha) const = 0;
+  virtual float d(const Vec3& m, const Vec2& alpha) const = 0;
 
   // Smith's Lambda at a unit direction w (either side).
-  virtual float lambda(Vec3 w, Vec2 alpha) const = 0;
+  virtual float lambda(const Vec3& w, const Vec2& alpha) const = 0;
 
   // A normal visible from w (w.z > 0), with density D(m) G1(w) max(0, w.m) / w.z.
-  virtual Vec3 sample_visible(Vec3 w, Vec2 alpha, Vec2 u) const = 0;
+  virtual Vec3 sample_visible(const Vec3& w, const Vec2& alpha, const Vec2& u) const = 0;
 
-  float g1(Vec3 w, Vec2 alpha) const { return 1.0f / (1.0f + lambda(w, alpha)); }
+  float g1(const Vec3& w, const Vec2& alpha) const { return 1.0f / (1.0f + lambda(w, alpha)); }
 };
 
 }  // namespace karat

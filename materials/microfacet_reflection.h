@@ -30,7 +30,7 @@ class MicrofacetReflection {
 
   explicit MicrofacetReflection(Roughness roughness) : roughness_(roughness) {}
 
-  FacetReflection evaluate(Vec3 wo, Vec3 wi) const {
+  FacetReflection evaluate(const Vec3& wo, const Vec3& wi) const {
     if (!(wo.z > kGrazing && wi.z > kGrazing)) return {0.0f, 0.0f, 0.0f};
     const Vec3 h = normalize(wo + wi);
     const auto& [distribution, alpha] = roughness_;
@@ -41,7 +41,7 @@ class MicrofacetReflection {
             std::clamp(dot(wo, h), 0.0f, 1.0f)};
   }
 
-  std::optional<FacetReflectionSample> sample(Vec3 wo, Vec2 u) const {
+  std::optional<FacetReflectionSample> sample(const Vec3& wo, const Vec2& u) const {
     if (!(wo.z > kGrazing)) return std::nullopt;
     const auto& [distribution, alpha] = roughness_;
     const Vec3 m = distribution->sample_visible(wo, alpha, u);

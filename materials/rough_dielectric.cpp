@@ -60,16 +60,16 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::refracted(Vec3 wo, Vec3 wi) 
   return all;
 }
 
-BsdfValue RoughDielectricBsdf::evaluate(Vec3 wo, Vec3 wi) const {
+BsdfValue RoughDielectricBsdf::evaluate(const Vec3& wo, const Vec3& wi) const {
   const Densities all = densities(wo, wi);
   return {all.value, all.pdf[interface_.hero]};
 }
 
-SampledSpectrum RoughDielectricBsdf::lane_pdfs(Vec3 wo, Vec3 wi) const {
+SampledSpectrum RoughDielectricBsdf::lane_pdfs(const Vec3& wo, const Vec3& wi) const {
   return densities(wo, wi).pdf;
 }
 
-std::optional<BsdfSample> RoughDielectricBsdf::sample(Vec3 wo, const BsdfNumbers& u) const {
+std::optional<BsdfSample> RoughDielectricBsdf::sample(const Vec3& wo, const BsdfNumbers& u) const {
   if (!(std::abs(wo.z) > MicrofacetReflection::kGrazing)) return std::nullopt;
   const bool below = wo.z < 0.0f;
   const auto& [distribution, alpha] = roughness_;

@@ -38,9 +38,9 @@ class RoughDielectricBsdf final : public Bsdf {
 
   Lobes lobes() const override { return lobe::kReflect | lobe::kTransmit | lobe::kGlossy; }
   bool dispersive() const override { return interface_.dispersive; }
-  BsdfValue evaluate(Vec3 wo, Vec3 wi) const override;
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const override;
-  SampledSpectrum lane_pdfs(Vec3 wo, Vec3 wi) const override;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const override;
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override;
+  SampledSpectrum lane_pdfs(const Vec3& wo, const Vec3& wi) const override;
 
  private:
   struct Densities {

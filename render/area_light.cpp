@@ -44,15 +44,15 @@ AreaLight::AreaLight(const LatticeSpectrum& radiance, bool two_sided, double are
       mean_radiance_(lattice_mean(radiance)),
       bounds_(bounds) {}
 
-std::optional<LightSample> AreaLight::sample(Vec3 point, Vec2 u, int phase) const {
+std::optional<LightSample> AreaLight::sample(const Vec3& point, const Vec2& u, int phase) const {
   return towards(point, surface_point(u), phase);
 }
 
-float AreaLight::pdf(Vec3 point, Vec3 wi, const SurfaceHit* hit) const {
+float AreaLight::pdf(const Vec3& point, const Vec3& wi, const SurfaceHit* hit) const {
   return area_pdf(point, wi, *hit);
 }
 
-SampledSpectrum AreaLight::radiance(Vec3 wi, const SurfaceHit* hit, int phase) const {
+SampledSpectrum AreaLight::radiance(const Vec3& wi, const SurfaceHit* hit, int phase) const {
   if (two_sided_ || dot(wi, hit->geometric_normal) < 0.0f) return radiance_[phase];
   return SampledSpectrum(0.0f);
 }
@@ -61,7 +61,8 @@ float AreaLight::power(float) const {
   return (two_sided_ ? 2.0f : 1.0f) * kPi * area_ * mean_radiance_;
 }
 
-std::optional<LightSample> AreaLight::towards(Vec3 point, SurfacePoint on_light, int phase) const {
+std::optional<LightSample> AreaLight::towards(const Vec3& point, SurfacePoint on_light,
+                                              int phase) const {
   const Vec3 to_light = on_light.position - point;
   const float distance_squared = length_squared(to_light);
   if (!(distance_squared > 0.0f)) return std::nullopt;
@@ -73,7 +74,7 @@ std::optional<LightSample> AreaLight::towards(Vec3 point, SurfacePoint on_light,
                      distance * distance_squared * inverse_area_ / facing, radiance_[phase]};
 }
 
-float AreaLight::area_pdf(Vec3 point, Vec3 wi, const SurfaceHit& hit) const {
+float AreaLight::area_pdf(const Vec3& point, const Vec3& wi, const SurfaceHit& hit) const {
   const float cosine = -dot(wi, hit.geometric_normal);
   const float facing = two_sided_ ? std::abs(cosine) : cosine;
   if (!(facing > 0.0f)) return 0.0f;

@@ -20,9 +20,9 @@ class AreaLight : public Light {
  public:
   AreaLight(const LatticeSpectrum& radiance, bool two_sided, double area, Bounds bounds);
 
-  std::optional<LightSample> sample(Vec3 point, Vec2 u, int phase) const override;
-  float pdf(Vec3 point, Vec3 wi, const SurfaceHit* hit) const override;
-  SampledSpectrum radiance(Vec3 wi, const SurfaceHit* hit, int phase) const final;
+  std::optional<LightSample> sample(const Vec3& point, const Vec2& u, int phase) const override;
+  float pdf(const Vec3& point, const Vec3& wi, const SurfaceHit* hit) const override;
+  SampledSpectrum radiance(const Vec3& wi, const SurfaceHit* hit, int phase) const final;
   float power(float scene_radius) const final;  // pi x area x mean radiance, twice if two-sided
   Bounds bounds() const final { return bounds_; }
   // Uniform over the area, then cosine-weighted; a two-sided light picks its side with probability
@@ -31,12 +31,12 @@ class AreaLight : public Light {
 
  protected:
   // A point drawn with density 1 / area.
-  virtual SurfacePoint surface_point(Vec2 u) const = 0;
+  virtual SurfacePoint surface_point(const Vec2& u) const = 0;
 
   // The sample towards a point on the surface; nothing from the dark side or edge-on.
-  std::optional<LightSample> towards(Vec3 point, SurfacePoint on_light, int phase) const;
+  std::optional<LightSample> towards(const Vec3& point, SurfacePoint on_light, int phase) const;
   // The density of that sample for the surface met at `hit`.
-  float area_pdf(Vec3 point, Vec3 wi, const SurfaceHit& hit) const;
+  float area_pdf(const Vec3& point, const Vec3& wi, const SurfaceHit& hit) const;
 
   const SampledSpectrum& emitted(int phase) const { return radiance_[phase]; }
   bool two_sided() const { return two_sided_; }

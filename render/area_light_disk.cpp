@@ -14,7 +14,7 @@ class DiskLight final : public AreaLight {
         frame_(Frame::around(disk.normal)) {}
 
  protected:
-  SurfacePoint surface_point(Vec2 u) const override {
+  SurfacePoint surface_point(const Vec2& u) const override {
     const Vec2 p = square_to_disk(u);
     return {center_ + (frame_.s * p.x + frame_.t * p.y) * radius_, frame_.n};
   }

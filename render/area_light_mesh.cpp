@@ -56,7 +56,7 @@ class MeshLight final : public AreaLight {
   }
 
  protected:
-  SurfacePoint surface_point(Vec2 u) const override {
+  SurfacePoint surface_point(const Vec2& u) const override {
     const auto chosen = std::upper_bound(upper_.begin(), upper_.end() - 1, u.x);
     const float lower = chosen == upper_.begin() ? 0.0f : *(chosen - 1);
     const float within = std::min((u.x - lower) / (*chosen - lower), 1.0f);

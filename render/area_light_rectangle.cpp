@@ -58,7 +58,7 @@ class RectangleLight final : public AreaLight {
         near_plane_(kNearPlane * (width_ + height_)),
         perpendicular_(std::abs(dot(x_, y_)) < 1e-5f) {}
 
-  std::optional<LightSample> sample(Vec3 point, Vec2 u, int phase) const override {
+  std::optional<LightSample> sample(const Vec3& point, const Vec2& u, int phase) const override {
     if (is_far(point)) return towards(point, surface_point(u), phase);
     const View v = view(point);
     if (v.solid_angle == 0.0f) return std::nullopt;
@@ -72,7 +72,7 @@ class RectangleLight final : public AreaLight {
     return LightSample{wi, distance, 1.0f / v.solid_angle, emitted(phase)};
   }
 
-  float pdf(Vec3 point, Vec3 wi, const SurfaceHit* hit) const override {
+  float pdf(const Vec3& point, const Vec3& wi, const SurfaceHit* hit) const override {
     if (is_far(point)) return area_pdf(point, wi, *hit);
     const View v = view(point);
     if (v.solid_angle == 0.0f) return 0.0f;
@@ -81,14 +81,16 @@ class RectangleLight final : public AreaLight {
   }
 
  protected:
-  SurfacePoint surface_point(Vec2 u) const override {
+  SurfacePoint surface_point(const Vec2& u) const override {
     return {rectangle_.origin + rectangle_.edge_u * u.x + rectangle_.edge_v * u.y, normal_};
   }
 
  private:
-  bool is_far(Vec3 point) const { return length_squared(bounds().center - point) > far_squared_; }
+  bool is_far(const Vec3& point) const {
+    return length_squared(bounds().center - point) > far_squared_;
+  }
 
-  View view(Vec3 point) const {
+  View view(const Vec3& point) const {
     const Vec3 d = rectangle_.origin - point;
     const float height = dot(d, normal_);  // negative on the outward side
     if (std::abs(height) < near_plane_ || (height > 0.0f && !two_sided())) return {};

@@ -21,7 +21,7 @@ class SphereLight final : public AreaLight {
         center_(s.center),
         radius_(s.radius) {}
 
-  std::optional<LightSample> sample(Vec3 point, Vec2 u, int phase) const override {
+  std::optional<LightSample> sample(const Vec3& point, const Vec2& u, int phase) const override {
     const View v = view(point);
     if (v.one_minus_cos == 0.0f) return std::nullopt;
     const float one_minus_cos = u.x * v.one_minus_cos;
@@ -41,19 +41,19 @@ class SphereLight final : public AreaLight {
     return LightSample{wi, distance, density(v), emitted(phase)};
   }
 
-  float pdf(Vec3 point, Vec3, const SurfaceHit*) const override {
+  float pdf(const Vec3& point, const Vec3&, const SurfaceHit*) const override {
     const View v = view(point);
     return v.one_minus_cos == 0.0f ? 0.0f : density(v);
   }
 
  protected:
-  SurfacePoint surface_point(Vec2 u) const override {
+  SurfacePoint surface_point(const Vec2& u) const override {
     const Vec3 n = square_to_sphere(u);
     return {center_ + n * radius_, n};
   }
 
  private:
-  View view(Vec3 point) const {
+  View view(const Vec3& point) const {
     const Vec3 to_center = center_ - point;
     const float dd = length_squared(to_center), rr = radius_ * radius_;
     if (dd <= rr) return {to_center, dd, two_sided() ? 2.0f : 0.0f};

@@ -18,7 +18,7 @@ class Camera {
 
   // `film` in pixels from the upper left corner of the whole image, `lens` in [0, 1)^2. Every ray
   // carries radiance with weight 1 (no vignetting, no cos^4: an ideal sensor).
-  virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
+  virtual Ray ray(const Vec2& film, const Vec2& lens) const = 0;
 
   // Where a scene point lands on the film (pixels), through the given lens point, with the
   // importance per unit solid angle and the direction from `point` to the lens; false when outside.
@@ -29,7 +29,7 @@ class Camera {
     float distance;
     float importance;
   };
-  virtual bool receive(Vec3 point, Vec2 lens, Receive& result) const = 0;
+  virtual bool receive(const Vec3& point, const Vec2& lens, Receive& result) const = 0;
 };
 
 // One source file per camera (render/cameras/), ending in KARAT_REGISTER(CameraType, "perspective",

@@ -39,14 +39,14 @@ class Light {
   virtual ~Light() = default;
 
   // A direction towards the light, or nothing where it cannot reach `point`.
-  virtual std::optional<LightSample> sample(Vec3 point, Vec2 u, int phase) const = 0;
+  virtual std::optional<LightSample> sample(const Vec3& point, const Vec2& u, int phase) const = 0;
 
   // The density with which sample() returns the direction in which a ray from `point` met the light
   // at `hit` (area lights) or left the scene along `wi` (environments).
-  virtual float pdf(Vec3 point, Vec3 wi, const SurfaceHit* hit) const = 0;
+  virtual float pdf(const Vec3& point, const Vec3& wi, const SurfaceHit* hit) const = 0;
 
   // What such a ray receives: zero on the dark side of a one-sided light.
-  virtual SampledSpectrum radiance(Vec3 wi, const SurfaceHit* hit, int phase) const = 0;
+  virtual SampledSpectrum radiance(const Vec3& wi, const SurfaceHit* hit, int phase) const = 0;
 
   // Points and directions that no ray meets by chance.
   virtual bool is_delta() const { return false; }

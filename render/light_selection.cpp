@@ -15,7 +15,7 @@ LightSelection::LightSelection(const std::vector<std::unique_ptr<const Light>>& 
 
 // About the irradiance on a surface that faces the light: power / (pi d^2), with the distance kept
 // above the light's own radius; for an environment the power it sends through the scene's sphere.
-float LightSelection::importance(const Entry& entry, Vec3 point) const {
+float LightSelection::importance(const Entry& entry, const Vec3& point) const {
   if (std::isinf(entry.bounds.radius)) {
     return entry.power * kInvPi / (4.0f * scene_radius_ * scene_radius_);
   }
@@ -24,7 +24,7 @@ float LightSelection::importance(const Entry& entry, Vec3 point) const {
   return entry.power * kInvPi / d2;
 }
 
-LightSelection::Choice LightSelection::choose(Vec3 point, float u) const {
+LightSelection::Choice LightSelection::choose(const Vec3& point, float u) const {
   if (entries_.size() == 1) return {entries_[0].light, 1.0f};
   float total = 0.0f;
   for (const Entry& entry : entries_) total += importance(entry, point);
@@ -40,7 +40,7 @@ LightSelection::Choice LightSelection::choose(Vec3 point, float u) const {
   return choice;
 }
 
-float LightSelection::probability(Vec3 point, const Light* light) const {
+float LightSelection::probability(const Vec3& point, const Light* light) const {
   if (entries_.size() == 1) return 1.0f;
   float total = 0.0f, own = 0.0f;
   for (const Entry& entry : entries_) {

@@ -19,10 +19,10 @@ class LightSelection {
     float probability;
   };
   // `u` in [0, 1). The probability depends on the point alone.
-  Choice choose(Vec3 point, float u) const;
+  Choice choose(const Vec3& point, float u) const;
 
   // The probability with which choose() returns `light` at that point.
-  float probability(Vec3 point, const Light* light) const;
+  float probability(const Vec3& point, const Light* light) const;
 
  private:
   struct Entry {
@@ -30,7 +30,7 @@ class LightSelection {
     float power;
     Light::Bounds bounds;
   };
-  float importance(const Entry& entry, Vec3 point) const;
+  float importance(const Entry& entry, const Vec3& point) const;
 
   std::vector<Entry> entries_;
   float scene_radius_ = 0.0f;

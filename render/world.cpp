@@ -200,7 +200,7 @@ void World::commit() {
   impl_->scene.commit();
 }
 
-bool World::intersect(Vec3 origin, Vec3 direction, SurfaceHit& hit) const {
+bool World::intersect(const Vec3& origin, const Vec3& direction, SurfaceHit& hit) const {
   EmbreeHit found;
   if (!impl_->scene.intersect(to_embree(origin, direction), found)) return false;
   hit.distance = found.distance;
@@ -236,7 +236,7 @@ bool World::intersect(Vec3 origin, Vec3 direction, SurfaceHit& hit) const {
   return true;
 }
 
-bool World::occluded(Vec3 origin, Vec3 direction, float distance) const {
+bool World::occluded(const Vec3& origin, const Vec3& direction, float distance) const {
   // A segment ends just short of its target, so that the target does not shadow itself.
   constexpr float kShortened = 1.0f - 1e-4f;
   EmbreeRay ray = to_embree(origin, direction);

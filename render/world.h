@@ -65,12 +65,12 @@ class World {
   bool intersect(const Ray& ray, SurfaceHit& hit) const {
     return intersect(ray.origin, ray.direction, hit);
   }
-  bool intersect(Vec3 origin, Vec3 direction, SurfaceHit& hit) const;
+  bool intersect(const Vec3& origin, const Vec3& direction, SurfaceHit& hit) const;
 
   // Whether anything lies between the two ends of a segment along `direction`, whose length is the
   // unit of `distance` (infinite for the environment). `origin` is already offset (see
   // offset_origin).
-  bool occluded(Vec3 origin, Vec3 direction, float distance) const;
+  bool occluded(const Vec3& origin, const Vec3& direction, float distance) const;
 
   // What traces the rays, for measurements.
   RayScene& rays();
@@ -86,7 +86,8 @@ class World {
 // A ray origin moved off a surface to the side of `direction` by a few units in the last place
 // (Wächter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems,
 // 2019, ch. 6).
-inline Vec3 offset_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
+inline Vec3 offset_origin(const Vec3& position, const Vec3& geometric_normal,
+                          const Vec3& direction) {
   constexpr float kOrigin = 1.0f / 32.0f, kFloatScale = 1.0f / 65536.0f, kIntScale = 256.0f;
   const Vec3 n = dot(direction, geometric_normal) < 0.0f ? -geometric_normal : geometric_normal;
   const auto moved = [](float x, float nx) {

@@ -14,9 +14,11 @@ namespace {
 class Lamp final : public Light {
  public:
   Lamp(float power, Bounds bounds) : power_(power), bounds_(bounds) {}
-  std::optional<LightSample> sample(Vec3, Vec2, int) const override { return std::nullopt; }
-  float pdf(Vec3, Vec3, const SurfaceHit*) const override { return 0.0f; }
-  SampledSpectrum radiance(Vec3, const SurfaceHit*, int) const override {
+  std::optional<LightSample> sample(const Vec3&, const Vec2&, int) const override {
+    return std::nullopt;
+  }
+  float pdf(const Vec3&, const Vec3&, const SurfaceHit*) const override { return 0.0f; }
+  SampledSpectrum radiance(const Vec3&, const SurfaceHit*, int) const override {
     return SampledSpectrum(0.0f);
   }
   float power(float) const override { return power_; }

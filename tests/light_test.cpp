@@ -35,7 +35,7 @@ std::unique_ptr<const Light> area_light(const Geometry& geometry, bool two_sided
 }
 
 // Where the ray meets the geometry first, by the analytic intersection of the convex shapes here.
-bool intersect(const Geometry& geometry, Vec3 point, Vec3 wi, SurfaceHit& hit) {
+bool intersect(const Geometry& geometry, const Vec3& point, const Vec3& wi, SurfaceHit& hit) {
   const auto plane = [&](Vec3 origin, Vec3 normal) {
     const float t = dot(origin - point, normal) / dot(wi, normal);
     hit.position = point + wi * t;

@@ -22,9 +22,11 @@ class SmoothConductorBsdf final : public Bsdf {
 
   Lobes lobes() const override { return lobe::kReflect | lobe::kDelta; }
 
-  BsdfValue evaluate(Vec3, Vec3) const override { return {SampledSpectrum(0.0f), 0.0f}; }
+  BsdfValue evaluate(const Vec3&, const Vec3&) const override {
+    return {SampledSpectrum(0.0f), 0.0f};
+  }
 
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers&) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers&) const override {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const SampledSpectrum f = fresnel_->reflectance(*tables_, phase_, std::min(wo.z, 1.0f));
     return BsdfSample{{-wo.x, -wo.y, wo.z}, f, 1.0f, lobes()};
@@ -44,13 +46,13 @@ class RoughConductorBsdf final : public Bsdf {
 
   Lobes lobes() const override { return lobe::kReflect | lobe::kGlossy; }
 
-  BsdfValue evaluate(Vec3 wo, Vec3 wi) const override {
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const override {
     const FacetReflection r = facets_.evaluate(wo, wi);
     if (!(r.pdf > 0.0f)) return {SampledSpectrum(0.0f), 0.0f};
     return {fresnel_->reflectance(*tables_, phase_, r.cos_facet) * r.value, r.pdf};
   }
 
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
     const std::optional<FacetReflectionSample> s = facets_.sample(wo, u.direction);
     if (!s) return std::nullopt;
     return BsdfSample{s->wi, fresnel_->reflectance(*tables_, phase_, s->cos_facet) * s->weight,

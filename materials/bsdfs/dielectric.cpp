@@ -31,9 +31,11 @@ class SmoothDielectricBsdf final : public Bsdf {
   Lobes lobes() const override { return lobe::kReflect | lobe::kTransmit | lobe::kDelta; }
   bool dispersive() const override { return interface_.dispersive; }
 
-  BsdfValue evaluate(Vec3, Vec3) const override { return {SampledSpectrum(0.0f), 0.0f}; }
+  BsdfValue evaluate(const Vec3&, const Vec3&) const override {
+    return {SampledSpectrum(0.0f), 0.0f};
+  }
 
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
     if (wo.z == 0.0f) return std::nullopt;
     const SampledSpectrum& eta = interface_.eta(wo.z);
     const float cos_theta = std::min(std::abs(wo.z), 1.0f);

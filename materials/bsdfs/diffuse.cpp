@@ -11,13 +11,13 @@ class DiffuseBsdf final : public Bsdf {
 
   Lobes lobes() const override { return lobe::kReflect | lobe::kDiffuse; }
 
-  BsdfValue evaluate(Vec3 wo, Vec3 wi) const override {
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const override {
     if (!(wo.z > 0.0f && wi.z > 0.0f)) return {SampledSpectrum(0.0f), 0.0f};
     const float pdf = wi.z * kInvPi;
     return {*reflectance_ * pdf, pdf};
   }
 
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers& u) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const Vec3 wi = square_to_cosine_hemisphere(u.direction);
     if (!(wi.z > 0.0f)) return std::nullopt;

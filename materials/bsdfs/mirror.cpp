@@ -9,9 +9,11 @@ class MirrorBsdf final : public Bsdf {
  public:
   Lobes lobes() const override { return lobe::kReflect | lobe::kDelta; }
 
-  BsdfValue evaluate(Vec3, Vec3) const override { return {SampledSpectrum(0.0f), 0.0f}; }
+  BsdfValue evaluate(const Vec3&, const Vec3&) const override {
+    return {SampledSpectrum(0.0f), 0.0f};
+  }
 
-  std::optional<BsdfSample> sample(Vec3 wo, const BsdfNumbers&) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers&) const override {
     if (!(wo.z > 0.0f)) return std::nullopt;
     return BsdfSample{{-wo.x, -wo.y, wo.z}, SampledSpectrum(1.0f), 1.0f, lobes()};
   }

@@ -75,21 +75,21 @@ class Beckmann final : public MicrofacetDistribution {
   }
 
   // Beyond 80 the exponential is below the smallest float, and at z = 0 it must not meet 0/0.
-  float d(Vec3 m, Vec2 alpha) const override {
+  float d(const Vec3& m, const Vec2& alpha) const override {
     const float x = m.x / alpha.x, y = m.y / alpha.y, z2 = m.z * m.z;
     const float exponent = (x * x + y * y) / z2;
     if (!(exponent < 80.0f)) return 0.0f;
     return std::exp(-exponent) * kInvPi / (alpha.x * alpha.y * z2 * z2);
   }
 
-  float lambda(Vec3 w, Vec2 alpha) const override {
+  float lambda(const Vec3& w, const Vec2& alpha) const override {
     const float x = w.x * alpha.x, y = w.y * alpha.y;
     const float a = std::abs(w.z) / std::sqrt(x * x + y * y);
     if (a > 9.0f) return 0.0f;
     return std::max(0.0f, 0.5f * (std::exp(-a * a) * kInvSqrtPi / a - std::erfc(a)));
   }
 
-  Vec3 sample_visible(Vec3 w, Vec2 alpha, Vec2 u) const override {
+  Vec3 sample_visible(const Vec3& w, const Vec2& alpha, const Vec2& u) const override {
     const float x = w.x * alpha.x, y = w.y * alpha.y;
     const float radius = std::sqrt(x * x + y * y);
     const bool upright = !(radius > 0.0f);

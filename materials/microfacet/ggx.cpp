@@ -21,14 +21,14 @@ class Ggx final : public MicrofacetDistribution {
   }
 
   // Written without tan(theta): finite at grazing normals.
-  float d(Vec3 m, Vec2 alpha) const override {
+  float d(const Vec3& m, const Vec2& alpha) const override {
     const float x = m.x / alpha.x, y = m.y / alpha.y;
     const float e = x * x + y * y + m.z * m.z;
     return kInvPi / (alpha.x * alpha.y * e * e);
   }
 
   // (sqrt(1 + t) - 1) / 2 with t = alpha^2 tan^2, in the form that does not cancel at small t.
-  float lambda(Vec3 w, Vec2 alpha) const override {
+  float lambda(const Vec3& w, const Vec2& alpha) const override {
     const float x = w.x * alpha.x, y = w.y * alpha.y;
     const float t = (x * x + y * y) / (w.z * w.z);
     return 0.5f * t / (1.0f + std::sqrt(1.0f + t));
@@ -36,7 +36,7 @@ class Ggx final : public MicrofacetDistribution {
 
   // In the space where alpha is 1 the visible normals are those halfway between w and a direction
   // uniform on a spherical cap around z: 1 - z is u.y (1 + w.z).
-  Vec3 sample_visible(Vec3 w, Vec2 alpha, Vec2 u) const override {
+  Vec3 sample_visible(const Vec3& w, const Vec2& alpha, const Vec2& u) const override {
     const Vec3 stretched = normalize({w.x * alpha.x, w.y * alpha.y, w.z});
     const float below = u.y * (1.0f + stretched.z);
     const float radius = std::sqrt(std::max(0.0f, below * (2.0f - below)));

@@ -31,7 +31,7 @@ class PerspectiveCamera final : public Camera {
                    2.0f * setup.half_height / static_cast<float>(setup.height)},
         inverse_area_(0.25f / (setup.half_width * setup.half_height)) {}
 
-  Ray ray(Vec2 film, Vec2 lens) const override {
+  Ray ray(const Vec2& film, const Vec2& lens) const override {
     const Vec3 at_one{film.x * per_pixel_.x - setup_.half_width,
                       film.y * per_pixel_.y - setup_.half_height, 1.0f};
     if (setup_.aperture_radius == 0.0f) {
@@ -43,7 +43,7 @@ class PerspectiveCamera final : public Camera {
             normalize(setup_.frame.to_world(direction))};
   }
 
-  bool receive(Vec3 point, Vec2 lens, Receive& result) const override {
+  bool receive(const Vec3& point, const Vec2& lens, Receive& result) const override {
     const Vec3 on_lens = setup_.aperture_radius == 0.0f ? Vec3{} : lens_point(lens);
     const Vec3 from_lens = setup_.frame.to_local(point - setup_.position) - on_lens;
     if (!(from_lens.z > 0.0f)) return false;

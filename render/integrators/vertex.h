@@ -32,17 +32,17 @@ struct Vertex {
 
   // Whether a world direction leaves on the side that the local one is on: an interpolated normal
   // may put a reflected direction below the actual surface.
-  bool consistent(Vec3 world, Vec3 local) const {
+  bool consistent(const Vec3& world, const Vec3& local) const {
     return dot(world, geometric_normal) * local.z > 0.0f;
   }
 
-  Ray spawn(Vec3 direction) const {
+  Ray spawn(const Vec3& direction) const {
     return {offset_origin(position, geometric_normal, direction), direction};
   }
 
   // Whether the segment to a light's sample is free. It is aimed anew from the offset origin: kept
   // parallel, and as long as from the vertex itself, it would reach into a light near by.
-  bool sees(const World& world, Vec3 direction, float distance) const {
+  bool sees(const World& world, const Vec3& direction, float distance) const {
     const Vec3 origin = offset_origin(position, geometric_normal, direction);
     if (std::isinf(distance)) return !world.occluded(origin, direction, distance);
     return !world.occluded(origin, direction * distance + (position - origin), 1.0f);

@@ -13,12 +13,12 @@ class ConstantEnvironment final : public Light {
   explicit ConstantEnvironment(const LatticeSpectrum& radiance)
       : radiance_(radiance), mean_radiance_(lattice_mean(radiance)) {}
 
-  std::optional<LightSample> sample(Vec3, Vec2 u, int phase) const override {
+  std::optional<LightSample> sample(const Vec3&, const Vec2& u, int phase) const override {
     return LightSample{square_to_sphere(u), std::numeric_limits<float>::infinity(), kUniformPdf,
                        radiance_[phase]};
   }
-  float pdf(Vec3, Vec3, const SurfaceHit*) const override { return kUniformPdf; }
-  SampledSpectrum radiance(Vec3, const SurfaceHit*, int phase) const override {
+  float pdf(const Vec3&, const Vec3&, const SurfaceHit*) const override { return kUniformPdf; }
+  SampledSpectrum radiance(const Vec3&, const SurfaceHit*, int phase) const override {
     return radiance_[phase];
   }
   bool is_environment() const override { return true; }

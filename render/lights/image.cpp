@@ -92,16 +92,16 @@ class ImageEnvironment final : public Light {
     grid_ = DirectionGrid(width, height, weights);
   }
 
-  std::optional<LightSample> sample(Vec3, Vec2 u, int phase) const override {
+  std::optional<LightSample> sample(const Vec3&, const Vec2& u, int phase) const override {
     const DirectionGrid::Sample s = grid_.sample(u);
     if (!(s.pdf > 0.0f)) return std::nullopt;
     return LightSample{frame_.to_world(s.direction), std::numeric_limits<float>::infinity(), s.pdf,
                        seen(s.direction, phase)};
   }
-  float pdf(Vec3, Vec3 wi, const SurfaceHit*) const override {
+  float pdf(const Vec3&, const Vec3& wi, const SurfaceHit*) const override {
     return grid_.pdf(frame_.to_local(wi));
   }
-  SampledSpectrum radiance(Vec3 wi, const SurfaceHit*, int phase) const override {
+  SampledSpectrum radiance(const Vec3& wi, const SurfaceHit*, int phase) const override {
     return seen(frame_.to_local(wi), phase);
   }
   bool is_environment() const override { return true; }

@@ -13,7 +13,7 @@ class PointLight final : public Light {
   PointLight(Vec3 position, const LatticeSpectrum& intensity)
       : position_(position), intensity_(intensity), mean_intensity_(lattice_mean(intensity)) {}
 
-  std::optional<LightSample> sample(Vec3 point, Vec2, int phase) const override {
+  std::optional<LightSample> sample(const Vec3& point, const Vec2&, int phase) const override {
     const Vec3 to_light = position_ - point;
     const float squared = length_squared(to_light);
     const float distance = std::sqrt(squared);
@@ -22,8 +22,8 @@ class PointLight final : public Light {
     return LightSample{to_light * (1.0f / distance), distance, 1.0f,
                        intensity_[phase] * inverse_squared};
   }
-  float pdf(Vec3, Vec3, const SurfaceHit*) const override { return 0.0f; }
-  SampledSpectrum radiance(Vec3, const SurfaceHit*, int) const override {
+  float pdf(const Vec3&, const Vec3&, const SurfaceHit*) const override { return 0.0f; }
+  SampledSpectrum radiance(const Vec3&, const SurfaceHit*, int) const override {
     return SampledSpectrum(0.0f);
   }
   bool is_delta() const override { return true; }
