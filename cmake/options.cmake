@@ -19,12 +19,11 @@ target_compile_options(karat_options INTERFACE
   -fno-semantic-interposition)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-# GCC takes a SampledSpectrum that is copied apart into single floats, stores them one by one, and then
-# waits for them to load the vector again. This keeps aggregates of more than 32 bytes whole.
-set(karat_keep_lanes_whole "")
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(karat_keep_lanes_whole "--param=sra-max-scalarization-size-Ospeed=32")
-endif()
+# Lane loops are marked; elsewhere, vectors that a compiler makes of neighbouring floats (SLP) wait for
+# the single stores that made them. GCC also takes a SampledSpectrum that is copied apart into single
+# floats, and waits again to load it whole: the parameter keeps aggregates over 32 bytes together.
+target_compile_options(karat_options INTERFACE -fno-tree-slp-vectorize
+  $<$<CXX_COMPILER_ID:GNU>:--param=sra-max-scalarization-size-Ospeed=32>)
 
 # Flags that name an instruction set exist on x86 only; elsewhere the compiler's own choice stands.
 if(KARAT_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i.86)$")
