@@ -54,7 +54,9 @@ struct LaneDensities {
 class Path {
  public:
   Path(const Scene& scene, CameraSample& sample)
-      : scene_(scene), sample_(sample), ray_(sample.ray), wavelengths_(sample.wavelengths) {}
+      : scene_(scene), sample_(sample), ray_(sample.ray), wavelengths_(sample.wavelengths) {
+    sample_.radiance = SampledSpectrum(0.0f);
+  }
 
   void trace_ray() { found_ = scene_.world.intersect(ray_, hit_); }
 
@@ -106,7 +108,7 @@ class Path {
   void receive_light(PathCounters& counters) {
     ++counters.rays;
     if (vertex_.sees(scene_.world, light_direction_, light_distance_)) {
-      radiance_ += light_contribution_;
+      sample_.radiance += light_contribution_;
     }
   }
 
@@ -138,8 +140,6 @@ class Path {
     return depth + 1 < kRouletteDepth || survives(numbers_.roulette);
   }
 
-  void finish() { sample_.radiance = radiance_; }
-
  private:
   void note_first_hit() {
     FirstHit& first = sample_.first_hit;
@@ -161,7 +161,7 @@ class Path {
               ? 1.0f / (densities_.mean_ratio + densities_.previous_mean * light_pdf / last_pdf_)
               : weight * power_heuristic(last_pdf_, light_pdf);
     }
-    radiance_ += throughput_ * emitted * weight;
+    sample_.radiance += throughput_ * emitted * weight;
   }
 
   // Paths end in proportion to what they carry; the scaling of radiance by refraction is undone
@@ -179,7 +179,7 @@ class Path {
   Ray ray_;
   const SampledWavelengths wavelengths_;
 
-  SampledSpectrum radiance_{0.0f}, throughput_{1.0f};
+  SampledSpectrum throughput_{1.0f};
   LaneDensities densities_;
   float eta_squared_ = 1.0f;
   float last_pdf_ = 0.0f;  // 0: the camera or a delta lobe, which no light sample competes with
@@ -197,18 +197,17 @@ class Path {
   BsdfStorage storage_;
 };
 
-// The paths of a batch go through each step together: the steps of different paths do not wait for
-// one another, which hides the latency of chains of square roots, divisions and cache misses, and
-// the processor stays in one piece of code.
+// The paths of a batch go through each step together, which lets steps of different paths overlap.
+// By itself this gains nothing that could be measured on three_tori; it is the form that steps in
+// lanes across paths would need.
 class Batch {
  public:
   Batch(const Scene& scene, std::span<CameraSample> samples) {
     for (CameraSample& sample : samples) {
       void* place = bytes_ + sizeof(Path) * static_cast<std::size_t>(count_);
-      all_[count_] = active_[count_] = new (place) Path(scene, sample);
+      active_[count_] = new (place) Path(scene, sample);
       ++count_;
     }
-    total_ = count_;
   }
 
   void trace(PathCounters& counters) {
@@ -219,7 +218,6 @@ class Batch {
       for (int i = 0; i < lit; ++i) lit_[i]->receive_light(counters);
       keep([&](Path& path) { return path.scatter(depth); });
     }
-    for (int i = 0; i < total_; ++i) all_[i]->finish();
   }
 
  private:
@@ -242,10 +240,9 @@ class Batch {
   }
 
   alignas(64) std::byte bytes_[sizeof(Path) * kBatch];
-  Path* all_[kBatch];
   Path* active_[kBatch];
   Path* lit_[kBatch];
-  int count_ = 0, total_ = 0;
+  int count_ = 0;
 };
 
 class PathIntegrator final : public Integrator {

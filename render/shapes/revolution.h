@@ -21,4 +21,14 @@ struct ProfilePoint {
 // is an isosceles trapezoid, hence flat; at rho = 0 two of its corners coincide.
 Mesh revolved(const std::vector<ProfilePoint>& profile, int segments);
 
+// The parameter "segments_u" of every such shape.
+inline ParameterInfo segments_around_axis() {
+  return {.name = "segments_u",
+          .type = ParameterType::kInteger,
+          .description = "Faces around the axis.",
+          .default_json = "512",
+          .min = 3,
+          .max = 16384};
+}
+
 }  // namespace karat
