@@ -30,6 +30,17 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
+// In alphabetical order, in which "nk" stands before "nk list".
+void add_commands(CLI::App& app, std::function<int()>& action) {
+  const auto& commands = Registry<Command>::instance();
+  for (const std::string& name : commands.names()) {
+    const std::size_t space = name.find(' ');
+    CLI::App* parent =
+        space == std::string::npos ? &app : app.get_subcommand(name.substr(0, space));
+    commands.find(name)->add_to(*parent, action);
+  }
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -110,8 +121,7 @@ int run_karat(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer("Example: karat render data/scenes/rings.json -o rings.exr -o rings.png");
   std::function<int()> action;
-  const auto& commands = Registry<Command>::instance();
-  for (const auto& name : commands.names()) commands.find(name)->add_to(app, action);
+  add_commands(app, action);
 
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   try {

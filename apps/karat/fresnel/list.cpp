@@ -1,0 +1,45 @@
+// karat fresnel list: the Fresnel models and where they come from.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "apps/karat/command.h"
+#include "apps/karat/json_output.h"
+#include "materials/fresnel.h"
+
+namespace karat {
+namespace {
+
+using Models = Registry<FresnelModel>;
+
+int list(bool as_json) {
+  nlohmann::ordered_json models = nlohmann::ordered_json::array();
+  for (const std::string& name : Models::instance().names()) {
+    const FresnelModel& model = *Models::instance().find(name);
+    if (as_json) {
+      models.push_back(
+          {{"name", name}, {"description", model.description()}, {"source", model.source()}});
+    } else {
+      fmt::print("{}\n    {}\n    {}\n", name, model.description(), model.source());
+    }
+  }
+  if (as_json) print_json(models);
+  return 0;
+}
+
+class FresnelList final : public Command {
+ public:
+  void add_to(CLI::App& fresnel, std::function<int()>& action) const override {
+    CLI::App* listing = fresnel.add_subcommand("list", "List the Fresnel models");
+    const auto as_json = std::make_shared<bool>(false);
+    listing->add_flag("--json", *as_json, "Machine-readable output");
+    listing->footer("Example: karat fresnel list --json");
+    listing->callback([&action, as_json] { action = [as_json] { return list(*as_json); }; });
+  }
+};
+
+KARAT_REGISTER(Command, "fresnel list", FresnelList);
+
+}  // namespace
+}  // namespace karat

@@ -1,0 +1,79 @@
+// karat nk list: which index tables there are.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "apps/karat/command.h"
+#include "apps/karat/json_output.h"
+#include "materials/index_catalogue.h"
+#include "materials/index_colour.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string filter;  // a part of the names wanted
+  bool everywhere = false;
+  bool as_json = false;
+};
+
+json list_row(const IndexTableEntry& entry, const IndexTable& table) {
+  return {{"name", entry.name},
+          {"file", entry.file},
+          {"range_nm", {table.range().min_nm, table.range().max_nm}},
+          {"has_k", table.has_k()},
+          {"covers_visible", table.range().covers(kVisible)}};
+}
+
+// A bad table is named on stderr and does not hide the others; the exit code tells.
+int run_list(const Options& options) {
+  json rows = json::array();
+  int exit_code = 0;
+  for (const IndexTableEntry& entry : list_index_tables(options.everywhere)) {
+    if (entry.name.find(options.filter) == std::string::npos) continue;
+    try {
+      rows.push_back(list_row(entry, *find_index_table(entry.name)));
+    } catch (const InputError& error) {
+      fmt::print(stderr, "karat: {}\n", error.what());
+      exit_code = 3;
+    }
+  }
+  if (options.as_json) {
+    print_json(rows);
+    return exit_code;
+  }
+  std::size_t width = 4;
+  for (const json& row : rows) width = std::max(width, row["name"].get<std::string>().size());
+  fmt::print("{:<{}}  {:>11}  {:>11}  {:<4}  {}\n", "name", width, "from nm", "to nm", "",
+             "visible");
+  for (const json& row : rows) {
+    fmt::print("{:<{}}  {:>11.6g}  {:>11.6g}  {:<4}  {}\n", row["name"].get<std::string>(), width,
+               row["range_nm"][0].get<double>(), row["range_nm"][1].get<double>(),
+               row["has_k"].get<bool>() ? "n, k" : "n",
+               row["covers_visible"].get<bool>() ? "yes" : "no");
+  }
+  return exit_code;
+}
+
+class NkList final : public Command {
+ public:
+  void add_to(CLI::App& nk, std::function<int()>& action) const override {
+    const auto options = std::make_shared<Options>();
+    CLI::App* list = nk.add_subcommand("list", "The tables that can be named, with their ranges");
+    list->add_option("filter", options->filter, "Only names that contain this text");
+    list->add_flag("--all", options->everywhere, "The folders in KARAT_NK_PATH too");
+    list->add_flag("--json", options->as_json, "Machine-readable output");
+    list->footer("Example: karat nk list Au");
+    list->callback([&action, options] { action = [options] { return run_list(*options); }; });
+  }
+};
+
+KARAT_REGISTER(Command, "nk list", NkList);
+
+}  // namespace
+}  // namespace karat
