@@ -15,8 +15,10 @@ find_package(yaml-cpp CONFIG REQUIRED)
 find_package(assimp CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
-# Debian puts OpenColorIO's config files where CMake does not look.
+find_package(SQLite3 REQUIRED)
+# Debian puts OpenColorIO's config files where CMake does not look, and cairo has none.
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(Cairo REQUIRED IMPORTED_TARGET cairo>=1.16)
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
 
 # Two targets got a namespace in later versions.
@@ -32,7 +34,8 @@ endif()
 add_library(karat_dependencies INTERFACE)
 target_link_libraries(karat_dependencies INTERFACE
   embree TBB::tbb OpenImageIO::OpenImageIO OpenEXR::OpenEXR nlohmann_json::nlohmann_json
-  ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO)
+  ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO
+  SQLite::SQLite3 PkgConfig::Cairo)
 
 # What Karat's own headers include; cmake/karat-config.cmake.in finds the same.
 set(karat_public_dependencies nlohmann_json::nlohmann_json)
