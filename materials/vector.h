@@ -39,27 +39,35 @@ inline float length_squared(Vec3 a) { return dot(a, a); }
 inline float length(Vec3 a) { return std::sqrt(length_squared(a)); }
 inline Vec3 normalize(Vec3 a) { return a * (1.0f / length(a)); }
 
+// Any unit vector orthogonal to a unit normal (Duff et al., "Building an orthonormal basis,
+// revisited", JCGT 6(1), 2017).
+inline Vec3 any_tangent(const Vec3& n) {
+  const float sign = std::copysign(1.0f, n.z);
+  const float a = -1.0f / (sign + n.z);
+  return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+// The one nearest to `tangent`, which need be neither unit nor orthogonal; any where that is
+// parallel to the normal or zero. Free of branches, for loops over many.
+inline Vec3 unit_tangent(const Vec3& n, const Vec3& tangent) {
+  const Vec3 any = any_tangent(n), along = tangent - n * dot(n, tangent);
+  const float l2 = length_squared(along);
+  const bool given = l2 > 1e-12f * length_squared(tangent);
+  const float own = given ? 1.0f / std::sqrt(l2) : 0.0f, other = given ? 0.0f : 1.0f;
+  return along * own + any * other;
+}
+
 // A right-handed orthonormal frame; `n` is the local z axis.
 struct Frame {
   Vec3 s, t, n;
 
-  // Any frame around a unit normal (Duff et al., "Building an orthonormal basis, revisited",
-  // JCGT 6(1), 2017).
   static Frame around(Vec3 n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1.0f / (sign + n.z);
-    const float b = n.x * n.y * a;
-    return {
-        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+    const Vec3 s = any_tangent(n);
+    return {s, cross(n, s), n};
   }
-  // The frame around a unit normal whose s axis is nearest to `tangent`, which need be neither unit
-  // nor orthogonal; any frame where the tangent is parallel to the normal or zero.
   static Frame around(Vec3 n, Vec3 tangent) {
-    const Vec3 s = tangent - n * dot(n, tangent);
-    const float l2 = length_squared(s);
-    if (!(l2 > 1e-12f * length_squared(tangent))) return around(n);
-    const Vec3 unit = s * (1.0f / std::sqrt(l2));
-    return {unit, cross(n, unit), n};
+    const Vec3 s = unit_tangent(n, tangent);
+    return {s, cross(n, s), n};
   }
 
   Vec3 to_local(Vec3 v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }

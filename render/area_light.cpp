@@ -63,15 +63,20 @@ float AreaLight::power(float) const {
 
 std::optional<LightSample> AreaLight::towards(const Vec3& point, SurfacePoint on_light,
                                               int phase) const {
+  std::optional<LightSample> result;  // returned on every way: filled where the caller wants it
   const Vec3 to_light = on_light.position - point;
   const float distance_squared = length_squared(to_light);
-  if (!(distance_squared > 0.0f)) return std::nullopt;
+  if (!(distance_squared > 0.0f)) return result;
   const float height = -dot(to_light, on_light.normal);  // of the point over the light's plane
   const float facing = two_sided_ ? std::abs(height) : height;
-  if (!(facing > 0.0f)) return std::nullopt;
+  if (!(facing > 0.0f)) return result;
   const float distance = std::sqrt(distance_squared);
-  return LightSample{to_light * (1.0f / distance), distance,
-                     distance * distance_squared * inverse_area_ / facing, radiance_[phase]};
+  LightSample& sample = result.emplace();
+  sample.wi = to_light * (1.0f / distance);
+  sample.distance = distance;
+  sample.pdf = distance * distance_squared * inverse_area_ / facing;
+  sample.radiance = radiance_[phase];
+  return result;
 }
 
 float AreaLight::area_pdf(const Vec3& point, const Vec3& wi, const SurfaceHit& hit) const {

@@ -20,6 +20,15 @@ class Camera {
   // carries radiance with weight 1 (no vignetting, no cos^4: an ideal sensor).
   virtual Ray ray(const Vec2& film, const Vec2& lens) const = 0;
 
+  // The same for every path of a batch.
+  virtual void rays(const BatchFloat film[2], const BatchFloat lens[2], BatchRay& result) const {
+    for (int i = 0; i < kBatch; ++i) {
+      const Ray one = ray({film[0][i], film[1][i]}, {lens[0][i], lens[1][i]});
+      result.origin.set(i, one.origin);
+      result.direction.set(i, one.direction);
+    }
+  }
+
   // Where a scene point lands on the film (pixels), through the given lens point, with the
   // importance per unit solid angle and the direction from `point` to the lens; false when outside.
   // For transport from the lights.

@@ -34,6 +34,43 @@ void ExactSum::add(float value) {
 
 double ExactSum::value() const { return std::ldexp(static_cast<double>(bits_), -kFractionBits); }
 
+// Each addend is its mantissa, shifted to where it stands in 128 bits: below bit 64, above it, or
+// across. A shift by 64 or more bits is none in C++, and the loop must not branch; so the mantissa
+// is shifted within bounds, and what is not wanted is masked.
+void FourSums::add(const float values[4]) {
+  std::uint64_t low[4], high[4];
+#pragma omp simd
+  for (int i = 0; i < 4; ++i) {
+    const std::uint64_t bits = std::bit_cast<std::uint32_t>(values[i]);
+    const auto exponent = static_cast<std::int64_t>(bits >> 23);  // the sign is 0
+    const std::uint64_t mantissa = (bits & 0x7fffffu) | 0x800000u;
+    const std::int64_t shift = exponent - 150 + kFractionBits;  // in [-86, 101]: see kMost
+    const auto left = static_cast<std::uint64_t>(std::clamp<std::int64_t>(shift, 0, 63));
+    const auto right = static_cast<std::uint64_t>(std::clamp<std::int64_t>(-shift, 0, 63));
+    const auto across = static_cast<std::uint64_t>(std::clamp<std::int64_t>(64 - shift, 0, 63));
+    const auto above = static_cast<std::uint64_t>(std::clamp<std::int64_t>(shift - 64, 0, 63));
+    const std::uint64_t normal = exponent == 0 ? 0 : mantissa;  // subnormals are below 2^-64 by far
+    low[i] = shift >= 64 ? 0 : (normal << left) >> right;
+    high[i] = (normal >> across) << above;
+  }
+  add(low, high);
+}
+
+void FourSums::add(const FourSums& other) { add(other.low_, other.high_); }
+
+void FourSums::add(const std::uint64_t low[4], const std::uint64_t high[4]) {
+#pragma omp simd
+  for (int i = 0; i < 4; ++i) {
+    const std::uint64_t sum = low_[i] + low[i];
+    high_[i] += high[i] + (sum < low[i] ? 1u : 0u);
+    low_[i] = sum;
+  }
+}
+
+double FourSums::value(std::size_t i) const {
+  return static_cast<double>(high_[i]) + std::ldexp(static_cast<double>(low_[i]), -kFractionBits);
+}
+
 Sensor Sensor::make(const std::string& observer_name, const WavelengthLattice& lattice) {
   const Observer& curves = observer(observer_name);
   const double scale = lattice.range().width_nm() / curves.ybar_integral;
@@ -54,8 +91,32 @@ Film::Film(Crop crop, FilmChannels channels, const Sensor& sensor)
   spectral_.resize(count * static_cast<std::size_t>(channels.spectral_bins));
 }
 
+Film::SampleSums Film::sums_of(const SampledSpectrum& radiance,
+                               SampledWavelengths wavelengths) const {
+  SampleSums sums;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sums.values[i] = mean_product(radiance, sensor_.xyz[i][wavelengths.phase]);
+  }
+  const float luminance = std::min(sums.values[1], kMostForSquare);
+  sums.values[3] = luminance * luminance;
+  return sums;
+}
+
+// All sums first: what is stored as single floats and loaded as a vector at once waits long.
+void Film::add(int x0, int y0, const CameraBatch& batch) {
+  SampleSums sums[kBatch];
+  for (int i = 0; i < kBatch; ++i) sums[i] = sums_of(batch.radiance[i], batch.wavelengths[i]);
+  for (int i = 0; i < kBatch; ++i) {
+    const int x = x0 + i % kBlock, y = y0 + i / kBlock;
+    if (x < crop_.x0 || x >= crop_.x1 || y < crop_.y0 || y >= crop_.y1) continue;
+    const FirstHit* first_hit =
+        batch.first_hits.empty() ? nullptr : &batch.first_hits[static_cast<std::size_t>(i)];
+    add(x, y, batch.radiance[i], batch.wavelengths[i], first_hit, sums[i]);
+  }
+}
+
 void Film::add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths wavelengths,
-               const FirstHit* first_hit) {
+               const FirstHit* first_hit, const SampleSums& sums) {
   const std::size_t at = index(x, y);
   Pixel& pixel = pixels_[at];
   ++pixel.samples;
@@ -66,14 +127,7 @@ void Film::add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths
     pixel.dropped_negative += finite && negative;
     return;
   }
-
-  float xyz[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    xyz[i] = mean_product(radiance, sensor_.xyz[i][wavelengths.phase]);
-    pixel.xyz[i].add(xyz[i]);
-  }
-  const float luminance = std::min(xyz[1], kMostForSquare);
-  pixel.y_squared.add(luminance * luminance);
+  pixel.sums.add(sums.values);
 
   if (channels_.spectral_bins > 0) {
     const auto bins = static_cast<std::size_t>(channels_.spectral_bins);
@@ -103,9 +157,9 @@ PixelValue Film::pixel(int x, int y) const {
   value.samples = pixel.samples;
   if (pixel.samples == 0) return value;
   const double n = pixel.samples;
-  for (std::size_t i = 0; i < 3; ++i) value.xyz[i] = pixel.xyz[i].value() / n;
+  for (std::size_t i = 0; i < 3; ++i) value.xyz[i] = pixel.sums.value(i) / n;
   if (pixel.samples > 1) {
-    const double spread = pixel.y_squared.value() / n - value.xyz[1] * value.xyz[1];
+    const double spread = pixel.sums.value(3) / n - value.xyz[1] * value.xyz[1];
     value.variance_of_mean = std::max(0.0, spread) / (n - 1.0);
   }
   return value;
@@ -149,8 +203,7 @@ void Film::merge(const Film& other) {
   for (std::size_t p = 0; p < pixels_.size(); ++p) {
     Pixel& a = pixels_[p];
     const Pixel& b = other.pixels_[p];
-    for (std::size_t i = 0; i < 3; ++i) a.xyz[i].add(b.xyz[i]);
-    a.y_squared.add(b.y_squared);
+    a.sums.add(b.sums);
     a.samples += b.samples;
     a.dropped_non_finite += b.dropped_non_finite;
     a.dropped_negative += b.dropped_negative;

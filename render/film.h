@@ -27,6 +27,20 @@ class ExactSum {
   Int128 bits_ = 0;  // in units of 2^-64
 };
 
+// Four sums of floats that are not negative, added to at once: the same numbers as four ExactSums,
+// as arrays, so that they become vector code.
+class FourSums {
+ public:
+  void add(const float values[4]);
+  void add(const FourSums& other);
+  double value(std::size_t i) const;
+
+ private:
+  void add(const std::uint64_t low[4], const std::uint64_t high[4]);
+
+  alignas(32) std::uint64_t low_[4] = {}, high_[4] = {};
+};
+
 // The sensor: colour-matching functions on the lattice, scaled so that sum over lanes of
 // radiance * curve, over kLanes, is X, Y, Z with Y = integral(L ybar) / integral(ybar), the
 // denominator taken over the observer's whole range.
@@ -47,6 +61,7 @@ struct FilmChannels {
   int spectral_bins = 0;  // equal bins over the lattice's range
 };
 
+struct CameraBatch;
 struct FirstHit;
 
 class Film {
@@ -59,7 +74,12 @@ class Film {
   // One camera sample of pixel (x, y) of the whole image. Different pixels may be added at once.
   // A sample with a non-finite or negative lane is dropped and counted.
   void add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths wavelengths,
-           const FirstHit* first_hit);
+           const FirstHit* first_hit) {
+    add(x, y, radiance, wavelengths, first_hit, sums_of(radiance, wavelengths));
+  }
+
+  // The samples of a batch whose first pixel is (x, y); what lies outside the crop is left out.
+  void add(int x, int y, const CameraBatch& batch);
 
   PixelValue pixel(int x, int y) const;
   double spectral(int x, int y, int bin) const;  // mean radiance in the bin
@@ -81,15 +101,23 @@ class Film {
 
  private:
   struct Pixel {
-    std::array<ExactSum, 3> xyz;
-    ExactSum y_squared;
+    FourSums sums;  // of X, Y, Z, and of Y squared
     std::uint32_t samples = 0, dropped_non_finite = 0, dropped_negative = 0;
-    std::uint32_t unused = 0;  // no padding: the bytes are saved as they are
+    std::uint32_t unused[5] = {};  // no padding: the bytes are saved as they are
   };
   struct PixelFeatures {
     std::array<ExactSum, 8> sums;
     std::uint32_t hits = 0, unused[3] = {};
   };
+
+  // X, Y, Z and Y squared.
+  struct alignas(16) SampleSums {
+    float values[4];
+  };
+  SampleSums sums_of(const SampledSpectrum& radiance, SampledWavelengths wavelengths) const;
+  void add(int x, int y, const SampledSpectrum& radiance, SampledWavelengths wavelengths,
+           const FirstHit* first_hit, const SampleSums& sums);
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.x1 - crop_.x0) +
            static_cast<std::size_t>(x - crop_.x0);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "render/sampler.h"
 #include "render/scene.h"
@@ -25,7 +25,6 @@ struct PathCounters {
 
 // What the first surface is: the feature channels of the image.
 struct FirstHit {
-  bool wanted = false;  // set by the caller
   bool valid = false;
   Vec3 normal{0, 0, 0};  // shading normal, world
   float depth = 0.0f;    // distance along the camera ray
@@ -33,24 +32,21 @@ struct FirstHit {
   SampledSpectrum albedo{0.0f};  // directional-hemispherical, estimated with one sample
 };
 
-// One camera sample: what an integrator is given, and the radiance that it returns per lane. Where
-// the path followed the hero lane alone, the other lanes are zero and the hero's is kLanes times
-// its radiance.
-struct CameraSample {
-  CameraSample(int pixel_x, int pixel_y, const Sampler& started)
-      : x(pixel_x), y(pixel_y), sampler(started) {}
+// Camera samples of a batch: what an integrator is given, and what it returns.
+struct CameraBatch {
+  CameraBatch(SamplerKind kind, std::uint32_t seed) : sampler(kind, seed) {}
 
-  int x, y;         // pixel
-  Sampler sampler;  // started for this pixel and sample
-  Ray ray;
-  SampledWavelengths wavelengths;
-  SampledSpectrum radiance;
-  FirstHit first_hit;
+  BatchSampler sampler;  // started
+  BatchRay rays;
+  SampledWavelengths wavelengths[kBatch];
+
+  // The radiance that is received, per lane. Where a path followed the hero lane alone, the other
+  // lanes are zero and the hero's is kLanes times its radiance.
+  SampledSpectrum radiance[kBatch];
+
+  // Filled where they are wanted; then there are kBatch of them, reset by the caller.
+  std::vector<FirstHit> first_hits;
 };
-
-// Camera samples come in batches: their paths are independent, and an integrator may take them
-// through its steps together. Sizes of 4 to 32 are equally fast.
-inline constexpr int kBatch = 8;
 
 // Stateless and shared; registered by name: KARAT_REGISTER(Integrator, "path", PathIntegrator);
 class Integrator {
@@ -58,10 +54,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual std::string description() const = 0;
 
-  // Fills `radiance` (and `first_hit` where wanted) of up to kBatch samples. The result for a
-  // sample does not depend on the others.
-  virtual void trace(const Scene& scene, std::span<CameraSample> samples,
-                     PathCounters& counters) const = 0;
+  // Fills `radiance` (and `first_hits`) of all samples of a batch.
+  virtual void trace(const Scene& scene, CameraBatch& batch, PathCounters& counters) const = 0;
 };
 
 }  // namespace karat

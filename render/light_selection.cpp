@@ -2,53 +2,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace karat {
 
 LightSelection::LightSelection(const std::vector<std::unique_ptr<const Light>>& lights,
-                               float scene_radius)
-    : scene_radius_(std::max(scene_radius, 1e-6f)) {
+                               float scene_radius) {
+  const float radius = std::max(scene_radius, 1e-6f);
   for (const auto& light : lights) {
-    entries_.push_back({light.get(), light->power(scene_radius_), light->bounds()});
+    const Light::Bounds bounds = light->bounds();
+    const float power = light->power(radius) * kInvPi;
+    if (std::isinf(bounds.radius)) {
+      entries_.push_back({light.get(), {}, 0.0f, power / (4.0f * radius * radius), true});
+    } else {
+      entries_.push_back({light.get(), bounds.center,
+                          std::max(bounds.radius * bounds.radius, 1e-12f), power, false});
+    }
   }
 }
 
-// About the irradiance on a surface that faces the light: power / (pi d^2), with the distance kept
-// above the light's own radius; for an environment the power it sends through the scene's sphere.
-float LightSelection::importance(const Entry& entry, const Vec3& point) const {
-  if (std::isinf(entry.bounds.radius)) {
-    return entry.power * kInvPi / (4.0f * scene_radius_ * scene_radius_);
-  }
-  const float r2 = entry.bounds.radius * entry.bounds.radius;
-  const float d2 = std::max({length_squared(entry.bounds.center - point), r2, 1e-12f});
-  return entry.power * kInvPi / d2;
-}
-
-LightSelection::Choice LightSelection::choose(const Vec3& point, float u) const {
-  if (entries_.size() == 1) return {entries_[0].light, 1.0f};
-  float total = 0.0f;
-  for (const Entry& entry : entries_) total += importance(entry, point);
-  if (!(total > 0.0f)) return {nullptr, 0.0f};
-  float left = u * total;
-  Choice choice{nullptr, 0.0f};
+void LightSelection::choose(const BatchVec3& points, const BatchFloat& u, Choice& choice) const {
+  std::fill_n(choice.light, kBatch, nullptr);
+  choice.total = {};
+  choice.probability = {};
   for (const Entry& entry : entries_) {
-    const float weight = importance(entry, point);
-    if (weight > 0.0f) choice = {entry.light, weight / total};
-    left -= weight;
-    if (left < 0.0f) break;
+    for_whole_batch([&](int i) { choice.total[i] += importance(entry, points[i]); });
   }
-  return choice;
+  BatchFloat left;
+  alignas(64) std::int32_t chosen[kBatch];
+  for (int i = 0; i < kBatch; ++i) left[i] = u[i] * choice.total[i], chosen[i] = -1;
+  for (std::int32_t e = 0; const Entry& entry : entries_) {
+    for_whole_batch([&](int i) {
+      const float weight = importance(entry, points[i]);
+      const bool taken = left[i] >= 0.0f && weight > 0.0f;
+      chosen[i] = taken ? e : chosen[i];
+      choice.probability[i] = taken ? weight / choice.total[i] : choice.probability[i];
+      left[i] -= weight;
+    });
+    ++e;
+  }
+  for (int i = 0; i < kBatch; ++i) {
+    if (chosen[i] >= 0) choice.light[i] = entries_[static_cast<std::size_t>(chosen[i])].light;
+  }
 }
 
-float LightSelection::probability(const Vec3& point, const Light* light) const {
-  if (entries_.size() == 1) return 1.0f;
-  float total = 0.0f, own = 0.0f;
+float LightSelection::probability(const Vec3& point, const Light* light, float total) const {
+  if (!(total > 0.0f)) return 0.0f;
   for (const Entry& entry : entries_) {
-    const float weight = importance(entry, point);
-    total += weight;
-    if (entry.light == light) own = weight;
+    if (entry.light == light) return importance(entry, point) / total;
   }
-  return total > 0.0f ? own / total : 0.0f;
+  return 0.0f;
 }
 
 }  // namespace karat

@@ -15,25 +15,35 @@ class LightSelection {
   LightSelection(const std::vector<std::unique_ptr<const Light>>& lights, float scene_radius);
 
   struct Choice {
-    const Light* light;  // null when there is no light
-    float probability;
+    const Light* light[kBatch];  // null where no light shines
+    BatchFloat probability;
+    BatchFloat total;  // kept for probability()
   };
-  // `u` in [0, 1). The probability depends on the point alone.
-  Choice choose(const Vec3& point, float u) const;
+  // One light for each point of a batch; `u` in [0, 1). The probabilities depend on the point
+  // alone.
+  void choose(const BatchVec3& points, const BatchFloat& u, Choice& choice) const;
 
-  // The probability with which choose() returns `light` at that point.
-  float probability(const Vec3& point, const Light* light) const;
+  // The probability with which choose() returns `light` at a point where its total was `total`.
+  float probability(const Vec3& point, const Light* light, float total) const;
 
  private:
   struct Entry {
     const Light* light;
-    float power;
-    Light::Bounds bounds;
+    Vec3 center;
+    float least_squared;  // distances count as at least this
+    float power;          // over pi
+    bool at_any_distance;
   };
-  float importance(const Entry& entry, const Vec3& point) const;
+
+  // About the irradiance on a surface that faces the light: power / (pi d^2), with the distance
+  // kept above the light's own radius; for an environment the power it sends through the scene's
+  // sphere.
+  float importance(const Entry& entry, const Vec3& point) const {
+    const float d2 = std::max(length_squared(entry.center - point), entry.least_squared);
+    return entry.at_any_distance ? entry.power : entry.power / d2;
+  }
 
   std::vector<Entry> entries_;
-  float scene_radius_ = 0.0f;
 };
 
 }  // namespace karat

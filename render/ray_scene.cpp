@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstring>
 #include <mutex>
@@ -197,6 +198,129 @@ bool RayScene::occluded(const EmbreeRay& ray) const {
   rtcOccluded1(scene_, &context, &query);
 #endif
   return query.tfar < 0.0f;  // Embree marks an occluded ray with tfar = -inf
+}
+
+namespace {
+
+// Fewer rays are faster alone: a packet costs nearly the same however many of it are alive.
+constexpr int kFewestForPacket = 4;
+
+EmbreeRay ray_of(const EmbreePacket& rays, int i) {
+  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+          {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
+          0.0f,
+          rays.tfar[i]};
+}
+
+// Fills what a query needs of its rays, and Embree's own form of the mask.
+struct alignas(64) PacketMask {
+  int valid[kPacket];
+};
+PacketMask to_embree(const EmbreePacket& rays, std::uint32_t active, RTCRay16& query) {
+  constexpr std::size_t kBytes = sizeof rays.tfar;
+  std::memcpy(query.org_x, rays.origin[0], kBytes);
+  std::memcpy(query.org_y, rays.origin[1], kBytes);
+  std::memcpy(query.org_z, rays.origin[2], kBytes);
+  std::memcpy(query.dir_x, rays.direction[0], kBytes);
+  std::memcpy(query.dir_y, rays.direction[1], kBytes);
+  std::memcpy(query.dir_z, rays.direction[2], kBytes);
+  std::memcpy(query.tfar, rays.tfar, kBytes);
+  PacketMask mask;
+#pragma omp simd
+  for (int i = 0; i < kPacket; ++i) {
+    query.tnear[i] = 0.0f;
+    query.time[i] = 0.0f;
+    query.mask[i] = kEverything;
+    query.id[i] = 0;
+    query.flags[i] = 0;
+    mask.valid[i] = ((active >> i) & 1u) != 0 ? -1 : 0;
+  }
+  return mask;
+}
+
+}  // namespace
+
+[[gnu::noinline]] void RayScene::record(const EmbreePacket& rays, std::uint32_t active,
+                                        bool occlusion) const {
+  for (; active != 0; active &= active - 1) {
+    record_->push_back({ray_of(rays, std::countr_zero(active)), occlusion});
+  }
+}
+
+std::uint32_t RayScene::intersect(const EmbreePacket& rays, std::uint32_t active,
+                                  Coherence coherence, EmbreePacketHits& hits) const {
+  std::uint32_t found = 0;
+  if (std::popcount(active) < kFewestForPacket) {
+    for (; active != 0; active &= active - 1) {
+      const int i = std::countr_zero(active);
+      EmbreeHit hit;
+      if (!intersect(ray_of(rays, i), hit)) continue;
+      found |= 1u << i;
+      hits.distance[i] = hit.distance;
+      for (int axis = 0; axis < 3; ++axis) hits.normal[axis][i] = hit.normal[axis];
+      hits.u[i] = hit.u, hits.v[i] = hit.v;
+      hits.geometry[i] = hit.geometry, hits.primitive[i] = hit.primitive;
+      hits.instance[i] = hit.instance;
+    }
+    return found;
+  }
+  if (record_) [[unlikely]]
+    record(rays, active, false);
+  RTCRayHit16 query;
+  const PacketMask mask = to_embree(rays, active, query.ray);
+#pragma omp simd
+  for (int i = 0; i < kPacket; ++i) {
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+#if RTC_VERSION_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  if (coherence == Coherence::kCamera) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(mask.valid, scene_, &query, &arguments);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (coherence == Coherence::kCamera) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(mask.valid, scene_, &context, &query);
+#endif
+  std::memcpy(hits.distance, query.ray.tfar, sizeof hits.distance);
+  std::memcpy(hits.normal[0], query.hit.Ng_x, sizeof hits.normal[0]);
+  std::memcpy(hits.normal[1], query.hit.Ng_y, sizeof hits.normal[1]);
+  std::memcpy(hits.normal[2], query.hit.Ng_z, sizeof hits.normal[2]);
+  std::memcpy(hits.u, query.hit.u, sizeof hits.u);
+  std::memcpy(hits.v, query.hit.v, sizeof hits.v);
+  std::memcpy(hits.geometry, query.hit.geomID, sizeof hits.geometry);
+  std::memcpy(hits.primitive, query.hit.primID, sizeof hits.primitive);
+  std::memcpy(hits.instance, query.hit.instID[0], sizeof hits.instance);
+  for (int i = 0; i < kPacket; ++i) {
+    found |= std::uint32_t{query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID} << i;
+  }
+  return found & active;
+}
+
+std::uint32_t RayScene::occluded(const EmbreePacket& rays, std::uint32_t active) const {
+  std::uint32_t result = 0;
+  if (std::popcount(active) < kFewestForPacket) {
+    for (; active != 0; active &= active - 1) {
+      const int i = std::countr_zero(active);
+      result |= std::uint32_t{occluded(ray_of(rays, i))} << i;
+    }
+    return result;
+  }
+  if (record_) [[unlikely]]
+    record(rays, active, true);
+  RTCRay16 query;
+  const PacketMask mask = to_embree(rays, active, query);
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded16(mask.valid, scene_, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(mask.valid, scene_, &context, &query);
+#endif
+  for (int i = 0; i < kPacket; ++i) result |= std::uint32_t{query.tfar[i] < 0.0f} << i;
+  return result & active;
 }
 
 void RayScene::bounds(float lower[3], float upper[3]) const {

@@ -26,6 +26,34 @@ struct EmbreeHit {
   std::uint32_t instance;  // as returned by add_instance, or kNoInstance
 };
 
+// Rays and hits of a packet, component by component.
+inline constexpr int kPacket = 16;
+struct EmbreePacket {
+  alignas(64) float origin[3][kPacket];
+  alignas(64) float direction[3][kPacket];
+  alignas(64) float tfar[kPacket];
+};
+struct EmbreePacketHits {
+  alignas(64) float distance[kPacket];
+  alignas(64) float normal[3][kPacket];
+  alignas(64) float u[kPacket];
+  alignas(64) float v[kPacket];
+  alignas(64) std::uint32_t geometry[kPacket];
+  alignas(64) std::uint32_t primitive[kPacket];
+  alignas(64) std::uint32_t instance[kPacket];
+
+  EmbreeHit operator[](int i) const {
+    return {distance[i], {normal[0][i], normal[1][i], normal[2][i]},
+            u[i],        v[i],
+            geometry[i], primitive[i],
+            instance[i]};
+  }
+};
+
+// How alike the directions of a packet are: Embree takes rays that start in one point through its
+// tree together.
+enum class Coherence : std::uint8_t { kNone, kCamera };
+
 // A ray as it was traced, for measurements that trace it again without a renderer around it.
 struct RecordedRay {
   EmbreeRay ray;
@@ -58,6 +86,12 @@ class RayScene {
   bool intersect(const EmbreeRay& ray, EmbreeHit& hit) const;
   bool occluded(const EmbreeRay& ray) const;
 
+  // The same for the rays of a packet whose bit in `active` is set; returns the bits of those that
+  // hit something. A ray's result may differ in its last bits from what it is alone.
+  std::uint32_t intersect(const EmbreePacket& rays, std::uint32_t active, Coherence coherence,
+                          EmbreePacketHits& hits) const;
+  std::uint32_t occluded(const EmbreePacket& rays, std::uint32_t active) const;
+
   // From now on every ray is appended to `target` as well (one thread only); null ends it.
   void record_to(std::vector<RecordedRay>* target);
 
@@ -66,6 +100,7 @@ class RayScene {
 
  private:
   void record(const EmbreeRay& ray, bool occlusion) const;
+  void record(const EmbreePacket& rays, std::uint32_t active, bool occlusion) const;
 
   RTCSceneTy* scene_;
   std::vector<RecordedRay>* record_ = nullptr;

@@ -22,48 +22,49 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// The pixels of a tile that are in the crop. Tiles start at multiples of kTile, hence of kBlock.
+Crop part_of(const Crop& crop, int column, int row) {
+  return {std::max(crop.x0, column * kTile), std::max(crop.y0, row * kTile),
+          std::min(crop.x1, (column + 1) * kTile), std::min(crop.y1, (row + 1) * kTile)};
+}
+
 struct Pass {
   const Scene& scene;
   const Integrator& integrator;
   SamplerKind sampler_kind;
   int first_sample, last_sample;
 
-  // Batches run on from pixel to pixel.
-  void tile(const tbb::blocked_range2d<int>& range, Film& film, PathCounters& counters) const {
-    std::vector<CameraSample> batch;
-    batch.reserve(kBatch);
-    Sampler sampler(sampler_kind, scene.settings.seed);
-    for (int y = range.rows().begin(); y < range.rows().end(); ++y) {
-      for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
-        sampler.start_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+  // Every block is traced whole, even where the film holds a part of it only: see render/batch.h.
+  void tile(const Crop& part, Film& film, PathCounters& counters) const {
+    const bool features = film.channels().features;
+    CameraBatch batch(sampler_kind, scene.settings.seed);
+    for (int y = part.y0 / kBlock * kBlock; y < part.y1; y += kBlock) {
+      for (int x = part.x0 / kBlock * kBlock; x < part.x1; x += kBlock) {
+        batch.sampler.start_block(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
         for (int s = first_sample; s < last_sample; ++s) {
-          sampler.start_sample(static_cast<std::uint32_t>(s));
-          add_sample(x, y, sampler, film.channels().features, batch);
-          if (batch.size() == kBatch) trace(batch, film, counters);
+          batch.sampler.start_sample(static_cast<std::uint32_t>(s));
+          if (features) batch.first_hits.assign(kBatch, {});
+          aim(x, y, batch);
+          integrator.trace(scene, batch, counters);
+          film.add(x, y, batch);
+          counters.paths += kBatch;
         }
       }
     }
-    trace(batch, film, counters);
   }
 
  private:
-  void add_sample(int x, int y, const Sampler& started, bool features,
-                  std::vector<CameraSample>& batch) const {
-    CameraSample& sample = batch.emplace_back(x, y, started);
-    const CameraNumbers u = sample.sampler.camera();
-    sample.wavelengths = {static_cast<int>(u.phase * kPhases), static_cast<int>(u.hero * kLanes)};
-    const Vec2 position{static_cast<float>(x) + u.pixel.x, static_cast<float>(y) + u.pixel.y};
-    sample.ray = scene.camera->ray(position, u.lens);
-    sample.first_hit.wanted = features;
-  }
-
-  void trace(std::vector<CameraSample>& batch, Film& film, PathCounters& counters) const {
-    integrator.trace(scene, batch, counters);
-    for (const CameraSample& s : batch) {
-      film.add(s.x, s.y, s.radiance, s.wavelengths, &s.first_hit);
+  void aim(int x, int y, CameraBatch& batch) const {
+    BatchCameraNumbers u;
+    batch.sampler.camera(u);
+    BatchFloat film[2];
+    for (int i = 0; i < kBatch; ++i) {
+      batch.wavelengths[i] = {static_cast<int>(u.phase[i] * kPhases),
+                              static_cast<int>(u.hero[i] * kLanes)};
+      film[0][i] = static_cast<float>(x + i % kBlock) + u.pixel[0][i];
+      film[1][i] = static_cast<float>(y + i / kBlock) + u.pixel[1][i];
     }
-    counters.paths += batch.size();
-    batch.clear();
+    scene.camera->rays(film, u.lens, batch.rays);
   }
 };
 
@@ -96,10 +97,11 @@ RenderResult render(const Scene& scene, const RenderOptions& options, Film& film
                     std::min(sample + pass_samples, settings.spp)};
     arena.execute([&] {
       tbb::parallel_for(
-          tbb::blocked_range2d<int>(crop.y0, crop.y1, kTile, crop.x0, crop.x1, kTile),
+          tbb::blocked_range2d<int>(crop.y0 / kTile, (crop.y1 + kTile - 1) / kTile, 1,
+                                    crop.x0 / kTile, (crop.x1 + kTile - 1) / kTile, 1),
           [&](const tbb::blocked_range2d<int>& tile) {
             PathCounters local;
-            pass.tile(tile, film, local);
+            pass.tile(part_of(crop, tile.cols().begin(), tile.rows().begin()), film, local);
             counters.local() += local;
           },
           tbb::simple_partitioner());

@@ -112,4 +112,49 @@ VertexNumbers Sampler::vertex(int depth) {
   return {{u[0], u[1]}, {u[2], u[3]}, u[4], u[5], u[6]};
 }
 
+void BatchSampler::start_block(std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t seed = hash(seed_);
+  for_whole_batch(
+      [&](int i) { pixel_hash_[i] = hash((x + i % kBlock) ^ hash((y + i / kBlock) ^ seed)); });
+}
+
+void BatchSampler::pair(std::uint32_t dimension, BatchFloat& first, BatchFloat& second) const {
+  if (kind_ == SamplerKind::kIndependent) {
+    const std::uint32_t sample = hash(sample_);
+    for_whole_batch([&](int i) {
+      const std::uint32_t stream = hash(pixel_hash_[i] + sample);
+      first[i] = to_unit(hash(stream ^ hash(pixel_hash_[i] ^ dimension)));
+      second[i] = to_unit(hash(stream ^ hash(pixel_hash_[i] ^ (dimension + 1))));
+    });
+    return;
+  }
+  const std::uint32_t sample = reverse_bits(sample_);
+  for_whole_batch([&](int i) {
+    const std::uint32_t pixel = pixel_hash_[i];
+    const std::uint32_t a =
+        scramble_reversed(sample, hash(pixel ^ (0x80000000u | (dimension >> 1))));
+    const std::uint32_t b = sobol_second(a);
+    first[i] = to_unit(reverse_bits(scramble_reversed(reverse_bits(a), hash(pixel ^ dimension))));
+    second[i] =
+        to_unit(reverse_bits(scramble_reversed(reverse_bits(b), hash(pixel ^ (dimension + 1)))));
+  });
+}
+
+void BatchSampler::camera(BatchCameraNumbers& u) const {
+  constexpr std::uint32_t kFirst = kCameraBlock * kBlockNumbers;
+  pair(kFirst, u.pixel[0], u.pixel[1]);
+  pair(kFirst + 2, u.lens[0], u.lens[1]);
+  pair(kFirst + 4, u.phase, u.hero);
+}
+
+void BatchSampler::vertex(int depth, BatchVertexNumbers& u) const {
+  const std::uint32_t first =
+      (kFirstVertexBlock + static_cast<std::uint32_t>(depth)) * kBlockNumbers;
+  BatchFloat unused;
+  pair(first, u.bsdf[0], u.bsdf[1]);
+  pair(first + 2, u.light[0], u.light[1]);
+  pair(first + 4, u.lobe, u.light_choice);
+  pair(first + 6, u.roulette, unused);
+}
+
 }  // namespace karat

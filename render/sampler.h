@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "materials/vector.h"
+#include "render/batch.h"
 
 namespace karat {
 
@@ -39,14 +40,49 @@ class Sampler {
   VertexNumbers vertex(int depth);
 
  private:
+  friend class BatchSampler;
+  Sampler(SamplerKind kind, std::uint32_t seed, std::uint32_t pixel_hash, std::uint32_t sample)
+      : kind_(kind), seed_(seed), pixel_hash_(pixel_hash), sample_(sample) {}
+
   // Fills numbers_ for the eight dimensions of `block` and of block + 1.
   void generate(std::uint32_t block);
 
   SamplerKind kind_;
   std::uint32_t seed_;
   std::uint32_t pixel_hash_ = 0, sample_ = 0;
-  std::uint32_t first_block_ = 0;
+  std::uint32_t first_block_ = ~0u;
   alignas(64) float numbers_[16];
+};
+
+// The same numbers for the paths of a batch, all of which are at the same sample of their pixels.
+struct BatchCameraNumbers {
+  BatchFloat pixel[2], lens[2], phase, hero;
+};
+struct BatchVertexNumbers {
+  BatchFloat bsdf[2], light[2], lobe, light_choice, roulette;
+};
+
+class BatchSampler {
+ public:
+  BatchSampler(SamplerKind kind, std::uint32_t seed) : kind_(kind), seed_(seed) {}
+
+  // Path i belongs to pixel (x + i mod kBlock, y + i / kBlock).
+  void start_block(std::uint32_t x, std::uint32_t y);
+  void start_sample(std::uint32_t sample) { sample_ = sample; }
+
+  void camera(BatchCameraNumbers& u) const;
+  void vertex(int depth, BatchVertexNumbers& u) const;
+
+  // For integrators that take one path after the other.
+  Sampler path(int i) const { return {kind_, seed_, pixel_hash_[i], sample_}; }
+
+ private:
+  // Two neighbouring dimensions, of which the first is even.
+  void pair(std::uint32_t dimension, BatchFloat& first, BatchFloat& second) const;
+
+  SamplerKind kind_;
+  std::uint32_t seed_, sample_ = 0;
+  alignas(64) std::uint32_t pixel_hash_[kBatch] = {};
 };
 
 }  // namespace karat

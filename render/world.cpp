@@ -1,6 +1,8 @@
 #include "render/world.h"
 
+#include <cstring>
 #include <deque>
+#include <limits>
 
 #include "materials/material.h"
 
@@ -133,6 +135,34 @@ void parameterise(const RectangleGeometry& rectangle, const EmbreeHit& hit, Surf
   out.uv = {hit.u, hit.v};
 }
 
+// A segment ends just short of its target, so that the target does not shadow itself.
+constexpr float kShortened = 1.0f - 1e-4f;
+
+inline Vec3 unit(const Vec3& v) { return v * (1.0f / std::sqrt(length_squared(v))); }
+
+// At unit length and on the side of the geometric normal. The shading normal is zero where opposite
+// ones meet: the geometric one then stands in.
+inline Vec3 unit_shading_normal(const Vec3& shading, const Vec3& unit_geometric) {
+  const float length2 = length_squared(shading);
+  const float side = dot(shading, unit_geometric) < 0.0f ? -1.0f : 1.0f;
+  const float own = length2 > 0.0f ? side / std::sqrt(length2) : 0.0f;
+  const float other = length2 > 0.0f ? 0.0f : 1.0f;
+  return shading * own + unit_geometric * other;
+}
+
+EmbreePacket to_embree(const BatchRay& rays) {
+  static_assert(kPacket == kBatch);
+  EmbreePacket packet;
+  const BatchVec3* from[2] = {&rays.origin, &rays.direction};
+  float(*to[2])[kPacket] = {packet.origin, packet.direction};
+  for (int end = 0; end < 2; ++end) {
+    std::memcpy(to[end][0], from[end]->x.values, sizeof to[end][0]);
+    std::memcpy(to[end][1], from[end]->y.values, sizeof to[end][1]);
+    std::memcpy(to[end][2], from[end]->z.values, sizeof to[end][2]);
+  }
+  return packet;
+}
+
 EmbreeRay to_embree(Vec3 origin, Vec3 direction) {
   return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
 }
@@ -155,6 +185,31 @@ struct World::Impl {
   std::vector<const Item*> top;      // by geometry number; null for instances
   std::vector<Instance> instances;   // by geometry number minus first_instance
   std::uint32_t first_instance = 0;  // instances are attached at commit, after everything else
+
+  // Position (given approximately), normals of any length, and where the surface's material wants
+  // them uv and tangent.
+  void locate_hit(const EmbreeHit& found, SurfaceHit& hit) const {
+    const Transform* transform = nullptr;
+    const Item* item;
+    if (found.instance == kNoInstance) {
+      item = top[found.geometry];
+    } else {
+      const Instance& instance = instances[found.instance - first_instance];
+      transform = &instance.transform;
+      item = instance.group->items[found.geometry];
+      hit.position = transform->inverse_point(hit.position);
+    }
+    hit.tangent = {};
+    hit.uv = {};
+    std::visit(
+        [&](const auto& geometry) {
+          locate(geometry, found, hit);
+          if (item->uses_uv) parameterise(geometry, found, hit);
+        },
+        item->geometry);
+    if (transform) place(*transform, hit);
+    hit.surface = &item->surface;
+  }
 
   // A mirrored transform turns faces inside out; Transform::normal() keeps normals outward, so a
   // normal computed from the faces themselves needs no further flip.
@@ -204,44 +259,51 @@ bool World::intersect(const Vec3& origin, const Vec3& direction, SurfaceHit& hit
   EmbreeHit found;
   if (!impl_->scene.intersect(to_embree(origin, direction), found)) return false;
   hit.distance = found.distance;
-
-  const Transform* transform = nullptr;
-  const Item* item;
-  if (found.instance == kNoInstance) {
-    item = impl_->top[found.geometry];
-    hit.position = origin + direction * found.distance;
-  } else {
-    const Impl::Instance& instance = impl_->instances[found.instance - impl_->first_instance];
-    transform = &instance.transform;
-    item = instance.group->items[found.geometry];
-    hit.position = transform->inverse_point(origin + direction * found.distance);
-  }
-  hit.tangent = {};
-  hit.uv = {};
-  std::visit(
-      [&](const auto& geometry) {
-        locate(geometry, found, hit);
-        if (item->uses_uv) parameterise(geometry, found, hit);
-      },
-      item->geometry);
-  if (transform) Impl::place(*transform, hit);
-
-  // Zero where opposite normals meet: the shading normal is then the geometric one.
-  const float length2 = length_squared(hit.shading_normal);
-  const float side = dot(hit.shading_normal, hit.geometric_normal) < 0.0f ? -1.0f : 1.0f;
-  hit.geometric_normal = normalize(hit.geometric_normal);
-  hit.shading_normal =
-      length2 > 0.0f ? hit.shading_normal * (side / std::sqrt(length2)) : hit.geometric_normal;
-  hit.surface = &item->surface;
+  hit.position = origin + direction * found.distance;
+  impl_->locate_hit(found, hit);
+  hit.geometric_normal = unit(hit.geometric_normal);
+  hit.shading_normal = unit_shading_normal(hit.shading_normal, hit.geometric_normal);
   return true;
 }
 
 bool World::occluded(const Vec3& origin, const Vec3& direction, float distance) const {
-  // A segment ends just short of its target, so that the target does not shadow itself.
-  constexpr float kShortened = 1.0f - 1e-4f;
   EmbreeRay ray = to_embree(origin, direction);
   ray.tfar = distance * kShortened;
   return impl_->scene.occluded(ray);
+}
+
+BatchMask World::intersect(const BatchRay& rays, BatchMask active, Coherence coherence,
+                           BatchHit& hits) const {
+  EmbreePacket packet = to_embree(rays);
+  std::fill_n(packet.tfar, kBatch, std::numeric_limits<float>::infinity());
+  EmbreePacketHits found;
+  const BatchMask met = impl_->scene.intersect(packet, active, coherence, found);
+  for_each(met, [&](int i) {
+    SurfaceHit hit;
+    hit.position = rays.origin[i] + rays.direction[i] * found.distance[i];
+    impl_->locate_hit(found[i], hit);
+    hits.position.set(i, hit.position);
+    hits.geometric_normal.set(i, hit.geometric_normal);
+    hits.shading_normal.set(i, hit.shading_normal);
+    hits.tangent.set(i, hit.tangent);
+    hits.u[i] = hit.uv.x, hits.v[i] = hit.uv.y;
+    hits.distance[i] = found.distance[i];
+    hits.surface[i] = hit.surface;
+  });
+  for_whole_batch([&](int i) {
+    const Vec3 geometric = unit(hits.geometric_normal[i]);
+    const Vec3 shading = unit_shading_normal(hits.shading_normal[i], geometric);
+    hits.geometric_normal.set(i, geometric);
+    hits.shading_normal.set(i, shading);
+  });
+  return met;
+}
+
+BatchMask World::occluded(const BatchRay& rays, const BatchFloat& distance,
+                          BatchMask active) const {
+  EmbreePacket packet = to_embree(rays);
+  for (int i = 0; i < kBatch; ++i) packet.tfar[i] = distance[i] * kShortened;
+  return impl_->scene.occluded(packet, active);
 }
 
 RayScene& World::rays() { return impl_->scene; }

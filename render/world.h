@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/vector.h"
+#include "render/batch.h"
 #include "render/ray_scene.h"
 #include "render/shape.h"
 #include "render/transform.h"
@@ -43,6 +44,18 @@ struct SurfaceHit {
   const Surface* surface;
 };
 
+// The hits of a batch of rays.
+struct BatchHit {
+  BatchVec3 position, geometric_normal, shading_normal, tangent;
+  BatchFloat u, v, distance;
+  const Surface* surface[kBatch] = {};
+
+  SurfaceHit operator[](int i) const {
+    return {position[i],  geometric_normal[i], shading_normal[i], tangent[i],
+            {u[i], v[i]}, distance[i],         surface[i]};
+  }
+};
+
 class World {
  public:
   World();
@@ -72,6 +85,11 @@ class World {
   // offset_origin).
   bool occluded(const Vec3& origin, const Vec3& direction, float distance) const;
 
+  // The same for the rays in `active`; returns those that hit something, or that are occluded.
+  BatchMask intersect(const BatchRay& rays, BatchMask active, Coherence coherence,
+                      BatchHit& hits) const;
+  BatchMask occluded(const BatchRay& rays, const BatchFloat& distance, BatchMask active) const;
+
   // What traces the rays, for measurements.
   RayScene& rays();
 
@@ -86,17 +104,20 @@ class World {
 // A ray origin moved off a surface to the side of `direction` by a few units in the last place
 // (Wächter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems,
 // 2019, ch. 6).
+inline float offset_coordinate(float x, float n) {
+  constexpr float kOrigin = 1.0f / 32.0f, kFloatScale = 1.0f / 65536.0f, kIntScale = 256.0f;
+  const auto steps = static_cast<std::int32_t>(kIntScale * n);
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  const float far = std::bit_cast<float>(bits + (x < 0.0f ? -steps : steps));
+  const float near = x + kFloatScale * n;
+  return std::abs(x) < kOrigin ? near : far;
+}
 inline Vec3 offset_origin(const Vec3& position, const Vec3& geometric_normal,
                           const Vec3& direction) {
-  constexpr float kOrigin = 1.0f / 32.0f, kFloatScale = 1.0f / 65536.0f, kIntScale = 256.0f;
-  const Vec3 n = dot(direction, geometric_normal) < 0.0f ? -geometric_normal : geometric_normal;
-  const auto moved = [](float x, float nx) {
-    const auto steps = static_cast<std::int32_t>(kIntScale * nx);
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    const float far = std::bit_cast<float>(bits + (x < 0.0f ? -steps : steps));
-    return std::abs(x) < kOrigin ? x + kFloatScale * nx : far;
-  };
-  return {moved(position.x, n.x), moved(position.y, n.y), moved(position.z, n.z)};
+  const float side = dot(direction, geometric_normal) < 0.0f ? -1.0f : 1.0f;
+  return {offset_coordinate(position.x, side * geometric_normal.x),
+          offset_coordinate(position.y, side * geometric_normal.y),
+          offset_coordinate(position.z, side * geometric_normal.z)};
 }
 
 }  // namespace karat

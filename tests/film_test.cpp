@@ -52,6 +52,33 @@ TEST_CASE("an exact sum reproduces single floats over its whole range", "[film]"
   CHECK(tiny.value() == 0.0);
 }
 
+TEST_CASE("four sums at once are the sums one by one", "[film]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> exponent(-90.0f, 50.0f);
+  FourSums four, merged;
+  ExactSum one[4];
+  for (int n = 0; n < 5000; ++n) {
+    float values[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      values[i] = n % 7 == 0 ? 0.0f : std::exp2(exponent(random));
+      one[i].add(values[i]);
+    }
+    (n % 2 == 0 ? four : merged).add(values);
+  }
+  four.add(merged);
+  // The 128 bits are rounded to a double in two parts here, at once there.
+  for (std::size_t i = 0; i < 4; ++i) CHECK(four.value(i) == Approx(one[i].value()).epsilon(3e-16));
+
+  for (const float value :
+       {1.0f, 0x1.fffffep59f, 0x1.fffffep-1f, 0x1.000002p-40f, 0x1.fffffep40f}) {
+    FourSums sums;
+    const float values[4] = {value, 0.0f, value, 0x1p-70f};
+    sums.add(values);
+    CHECK((sums.value(0) == double{value} && sums.value(2) == double{value}));
+    CHECK((sums.value(1) == 0.0 && sums.value(3) == 0.0));
+  }
+}
+
 TEST_CASE("radiance of one everywhere has luminance one", "[film]") {
   Film film(kOnePixel, {}, Sensor::make("cie1931", WavelengthLattice({360.0, 830.0})));
   for (int phase = 0; phase < kPhases; ++phase) {

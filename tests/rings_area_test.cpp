@@ -15,7 +15,7 @@ constexpr const char* kReference =
 constexpr int kSpp = 64, kReferenceSpp = 4096;
 // That renderer divides by an integral of ybar of 106.750 instead of 106.857.
 constexpr double kNormalisation = 0.999;
-constexpr int kBlock = 64;
+constexpr int kRegion = 64;
 
 // Luminance of linear Rec. 709.
 double luminance(double r, double g, double b) {
@@ -80,11 +80,11 @@ TEST_CASE("every block of the rings is that of another renderer, within noise", 
   const Image &ours = both().ours, &theirs = both().theirs;
   const Film& film = both().film;
   double worst = 0.0;
-  for (int y0 = 0; y0 < ours.height; y0 += kBlock) {
-    for (int x0 = 0; x0 < ours.width; x0 += kBlock) {
+  for (int y0 = 0; y0 < ours.height; y0 += kRegion) {
+    for (int x0 = 0; x0 < ours.width; x0 += kRegion) {
       double sum_ours = 0.0, sum_theirs = 0.0, variance = 0.0;
-      for (int y = y0; y < y0 + kBlock; ++y) {
-        for (int x = x0; x < x0 + kBlock; ++x) {
+      for (int y = y0; y < y0 + kRegion; ++y) {
+        for (int x = x0; x < x0 + kRegion; ++x) {
           const auto y_of = [&](const Image& image) {
             return luminance(value(image, x, y, 0), value(image, x, y, 1), value(image, x, y, 2));
           };

@@ -101,3 +101,33 @@ TEST_CASE("Sobol pairs integrate a smooth function far better than independent o
   };
   CHECK(error(SamplerKind::kSobol) < 0.05 * error(SamplerKind::kIndependent));
 }
+
+TEST_CASE("a batch gets the numbers that its paths get one by one", "[sampler]") {
+  for (const SamplerKind kind : {SamplerKind::kSobol, SamplerKind::kIndependent}) {
+    BatchSampler batch(kind, 9);
+    Sampler one(kind, 9);
+    batch.start_block(8, 120);
+    batch.start_sample(37);
+    BatchCameraNumbers camera;
+    batch.camera(camera);
+    BatchVertexNumbers vertices[3];
+    for (int depth = 0; depth < 3; ++depth) batch.vertex(depth, vertices[depth]);
+    for (int i = 0; i < kBatch; ++i) {
+      const auto place = static_cast<std::uint32_t>(i);
+      one.start(8 + place % kBlock, 120 + place / kBlock, 37);
+      const CameraNumbers c = one.camera();
+      CHECK((camera.pixel[0][i] == c.pixel.x && camera.pixel[1][i] == c.pixel.y));
+      CHECK((camera.lens[0][i] == c.lens.x && camera.lens[1][i] == c.lens.y));
+      CHECK((camera.phase[i] == c.phase && camera.hero[i] == c.hero));
+      Sampler path = batch.path(i);
+      for (int depth = 0; depth < 3; ++depth) {
+        const VertexNumbers v = one.vertex(depth), same = path.vertex(depth);
+        const BatchVertexNumbers& u = vertices[depth];
+        CHECK((u.bsdf[0][i] == v.bsdf.x && u.bsdf[1][i] == v.bsdf.y));
+        CHECK((u.light[0][i] == v.light.x && u.light[1][i] == v.light.y));
+        CHECK((u.lobe[i] == v.lobe && u.light_choice[i] == v.light_choice));
+        CHECK((u.roulette[i] == v.roulette && same.bsdf.x == v.bsdf.x));
+      }
+    }
+  }
+}

@@ -287,6 +287,63 @@ TEST_CASE("occluded() agrees with intersect(), up to the segment's end", "[world
   CHECK(wrong == 0);
 }
 
+TEST_CASE("a batch of rays meets what its rays meet one by one", "[world]") {
+  World world;
+  world.add(shape_mesh("torus"), {nullptr, nullptr, 1});
+  world.add(SphereGeometry{{0, 0, 1}, 0.4f}, {nullptr, nullptr, 2});
+  world.add(DiskGeometry{{1, 1, 0}, {0, 0, 1}, 0.7f}, {nullptr, nullptr, 3});
+  world.add(RectangleGeometry{{-2, -2, -1}, {4, 0, 0}, {0, 4, 0}}, {nullptr, nullptr, 4});
+  world.add_instances({{shape_mesh("ring"), {nullptr, nullptr, 5}}},
+                      {Transform::translate({0, 1.5f, 0.5f})});
+  world.commit();
+  Random random(11);
+  constexpr int kBatches = 4000;
+  int tried = 0, met_twice = 0, different = 0, hidden_differently = 0;
+  double farthest = 0.0, steepest = 0.0;
+  for (int n = 0; n < kBatches; ++n) {
+    BatchRay rays;
+    BatchFloat distance;
+    for (int i = 0; i < kBatch; ++i) {
+      const Ray ray = random.ray(6.0f, 2.0f);
+      rays.origin.set(i, ray.origin);
+      rays.direction.set(i, ray.direction);
+      distance[i] = random.uniform(1.0f, 12.0f);
+    }
+    // From one ray to all of them, so that both ways to trace a packet are taken.
+    const BatchMask active = n % 4 == 0 ? kWholeBatch : 0x9248u >> (n % 13);
+    BatchHit hits;
+    const Coherence coherence = n % 2 == 0 ? Coherence::kCamera : Coherence::kNone;
+    const BatchMask met = world.intersect(rays, active, coherence, hits);
+    const BatchMask hidden = world.occluded(rays, distance, active);
+    CHECK((met & ~active) == 0);
+    CHECK((hidden & ~active) == 0);
+    for_each(active, [&](int i) {
+      ++tried;
+      const Ray ray{rays.origin[i], rays.direction[i]};
+      SurfaceHit one;
+      const bool met_alone = world.intersect(ray, one);
+      const bool hidden_alone = world.occluded(ray.origin, ray.direction, distance[i]);
+      hidden_differently += hidden_alone != (((hidden >> i) & 1u) != 0);
+      const bool same =
+          met_alone == (((met >> i) & 1u) != 0) && (!met_alone || one.surface == hits.surface[i]);
+      different += !same;
+      if (!same || !met_alone) return;
+      ++met_twice;
+      farthest = std::max(farthest, ::distance(one.position, hits.position[i]));
+      steepest = std::max(steepest, ::distance(one.geometric_normal, hits.geometric_normal[i]));
+      CHECK(length(hits.shading_normal[i]) == Approx(1.0f));
+      CHECK(dot(hits.shading_normal[i], hits.geometric_normal[i]) > 0.0f);
+    });
+  }
+  CHECK(met_twice > tried / 4);
+  // Rays through an edge may fall to either side of it.
+  CHECK(different <= tried / 10000);
+  CHECK(hidden_differently <= tried / 10000);
+  CHECK(farthest < 1e-4);
+  INFO("largest difference between unit normals " << steepest);
+  CHECK(steepest < 0.2);  // neighbouring faces of the torus
+}
+
 TEST_CASE("a sphere bounds the world; nothing is in an empty one", "[world]") {
   World empty;
   empty.commit();

@@ -27,9 +27,14 @@ class SmoothConductorBsdf final : public Bsdf {
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers&) const override {
-    if (!(wo.z > 0.0f)) return std::nullopt;
-    const SampledSpectrum f = fresnel_->reflectance(*tables_, phase_, std::min(wo.z, 1.0f));
-    return BsdfSample{{-wo.x, -wo.y, wo.z}, f, 1.0f, lobes()};
+    std::optional<BsdfSample> result;  // the one variable that is returned, see diffuse.cpp
+    if (!(wo.z > 0.0f)) return result;
+    BsdfSample& sample = result.emplace();
+    sample.wi = {-wo.x, -wo.y, wo.z};
+    sample.weight = fresnel_->reflectance(*tables_, phase_, std::min(wo.z, 1.0f));
+    sample.pdf = 1.0f;
+    sample.lobes = lobes();
+    return result;
   }
 
  private:
@@ -53,10 +58,16 @@ class RoughConductorBsdf final : public Bsdf {
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
+    std::optional<BsdfSample> result;  // the one variable that is returned, see diffuse.cpp
     const std::optional<FacetReflectionSample> s = facets_.sample(wo, u.direction);
-    if (!s) return std::nullopt;
-    return BsdfSample{s->wi, fresnel_->reflectance(*tables_, phase_, s->cos_facet) * s->weight,
-                      s->pdf, lobes()};
+    if (!s) return result;
+    BsdfSample& sample = result.emplace();
+    sample.wi = s->wi;
+    sample.weight = fresnel_->reflectance(*tables_, phase_, s->cos_facet);
+    sample.weight *= s->weight;
+    sample.pdf = s->pdf;
+    sample.lobes = lobes();
+    return result;
   }
 
  private:

@@ -17,11 +17,19 @@ class DiffuseBsdf final : public Bsdf {
     return {*reflectance_ * pdf, pdf};
   }
 
+  // One variable, returned on every way, is filled where the caller wants it; anything else is
+  // built apart and copied, 256 bytes of it.
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
-    if (!(wo.z > 0.0f)) return std::nullopt;
+    std::optional<BsdfSample> result;
+    if (!(wo.z > 0.0f)) return result;
     const Vec3 wi = square_to_cosine_hemisphere(u.direction);
-    if (!(wi.z > 0.0f)) return std::nullopt;
-    return BsdfSample{wi, *reflectance_, wi.z * kInvPi, lobes()};
+    if (!(wi.z > 0.0f)) return result;
+    BsdfSample& sample = result.emplace();
+    sample.wi = wi;
+    sample.weight = *reflectance_;
+    sample.pdf = wi.z * kInvPi;
+    sample.lobes = lobes();
+    return result;
   }
 
  private:

@@ -43,6 +43,17 @@ class PerspectiveCamera final : public Camera {
             normalize(setup_.frame.to_world(direction))};
   }
 
+  void rays(const BatchFloat film[2], const BatchFloat lens[2], BatchRay& result) const override {
+    if (setup_.aperture_radius != 0.0f) return Camera::rays(film, lens, result);
+    const Vec3 s = setup_.frame.s, t = setup_.frame.t, n = setup_.frame.n;
+    for_whole_batch([&](int i) {
+      const float x = film[0][i] * per_pixel_.x - setup_.half_width;
+      const float y = film[1][i] * per_pixel_.y - setup_.half_height;
+      result.origin.set(i, setup_.position);
+      result.direction.set(i, normalize(s * x + t * y + n));
+    });
+  }
+
   bool receive(const Vec3& point, const Vec2& lens, Receive& result) const override {
     const Vec3 on_lens = setup_.aperture_radius == 0.0f ? Vec3{} : lens_point(lens);
     const Vec3 from_lens = setup_.frame.to_local(point - setup_.position) - on_lens;

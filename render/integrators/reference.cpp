@@ -16,20 +16,21 @@ class ReferenceIntegrator final : public Integrator {
     return "literal reference: uniform directions, one wavelength a path";
   }
 
-  void trace(const Scene& scene, std::span<CameraSample> samples,
-             PathCounters& counters) const override {
-    for (CameraSample& sample : samples) {
-      sample.radiance = SampledSpectrum(0.0f);
-      sample.radiance[sample.wavelengths.hero] = kLanes * hero_radiance(scene, sample, counters);
+  void trace(const Scene& scene, CameraBatch& batch, PathCounters& counters) const override {
+    for (int i = 0; i < kBatch; ++i) {
+      batch.radiance[i] = SampledSpectrum(0.0f);
+      batch.radiance[i][batch.wavelengths[i].hero] =
+          kLanes * hero_radiance(scene, batch, i, counters);
     }
   }
 
  private:
-  static float hero_radiance(const Scene& scene, CameraSample& camera, PathCounters& counters) {
-    const SampledWavelengths wavelengths = camera.wavelengths;
+  static float hero_radiance(const Scene& scene, const CameraBatch& batch, int i,
+                             PathCounters& counters) {
+    const SampledWavelengths wavelengths = batch.wavelengths[i];
     const int hero = wavelengths.hero, phase = wavelengths.phase;
-    Sampler& sampler = camera.sampler;
-    Ray ray = camera.ray;
+    Sampler sampler = batch.sampler.path(i);
+    Ray ray{batch.rays.origin[i], batch.rays.direction[i]};
     float result = 0.0f, throughput = 1.0f;
     for (int depth = 0;; ++depth) {
       SurfaceHit hit;
