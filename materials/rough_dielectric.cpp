@@ -18,7 +18,18 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::densities(Vec3 wo, Vec3 wi) 
   if (!(std::abs(wo.z) > kGrazing && std::abs(wi.z) > kGrazing)) {
     return {SampledSpectrum(0.0f), SampledSpectrum(0.0f)};
   }
-  return wo.z * wi.z > 0.0f ? reflected(wo, wi) : refracted(wo, wi);
+  const bool crosses = wo.z * wi.z < 0.0f;
+  Densities all = crosses ? refracted(wo, wi) : reflected(wo, wi);
+  if (multiple_) {
+    const Densities more =
+        multiple_->densities(wo, wi, interface_.eta(wo.z), interface_.eta(wi.z), interface_.phase);
+    all.value += more.value, all.pdf += more.pdf;
+  }
+  if (crosses && interface_.carries_radiance) {
+    const SampledSpectrum& inverse = interface_.eta(wi.z);
+    all.value *= inverse * inverse;
+  }
+  return all;
 }
 
 RoughDielectricBsdf::Densities RoughDielectricBsdf::reflected(Vec3 wo, Vec3 wi) const {
@@ -26,7 +37,7 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::reflected(Vec3 wo, Vec3 wi) 
   const FacetReflection r = MicrofacetReflection(roughness_)
                                 .evaluate(below ? mirrored(wo) : wo, below ? mirrored(wi) : wi);
   const SampledSpectrum f = dielectric_reflectance(r.cos_facet, interface_.eta(wo.z));
-  return {f * r.value, f * r.pdf};
+  return {f * r.value, f * (multiple_ ? r.value : r.pdf)};
 }
 
 // With h along wo + eta wi, on wo's side, the solid angles of normals and of wi relate as
@@ -49,8 +60,9 @@ RoughDielectricBsdf::Densities RoughDielectricBsdf::refracted(Vec3 wo, Vec3 wi) 
     const float root = o_h + eta * i_h;
     const float jacobian = eta * eta * -i_h / (root * root);
     const float visible = distribution->d(up, alpha) * g1_o * o_h / std::abs(wo.z);
-    all.pdf[i] = transmittance * visible * jacobian;
-    all.value[i] = all.pdf[i] * g1_i * interface_.radiance_scale(eta);
+    const float chosen = transmittance * visible * jacobian;
+    all.value[i] = chosen * g1_i;
+    all.pdf[i] = multiple_ ? all.value[i] : chosen;
   };
   if (!interface_.dispersive) {
     lane(0);
@@ -69,6 +81,14 @@ SampledSpectrum RoughDielectricBsdf::lane_pdfs(const Vec3& wo, const Vec3& wi) c
   return densities(wo, wi).pdf;
 }
 
+float RoughDielectricBsdf::unshadowed(Vec3 wo, Vec3 wi) const {
+  const auto& [distribution, alpha] = roughness_;
+  const float lambda_i = distribution->lambda(wi, alpha);
+  if (wo.z * wi.z < 0.0f) return 1.0f / (1.0f + lambda_i);
+  const float lambda_o = distribution->lambda(wo, alpha);
+  return (1.0f + lambda_o) / (1.0f + lambda_o + lambda_i);
+}
+
 std::optional<BsdfSample> RoughDielectricBsdf::sample(const Vec3& wo, const BsdfNumbers& u) const {
   if (!(std::abs(wo.z) > MicrofacetReflection::kGrazing)) return std::nullopt;
   const bool below = wo.z < 0.0f;
@@ -77,9 +97,20 @@ std::optional<BsdfSample> RoughDielectricBsdf::sample(const Vec3& wo, const Bsdf
   if (below) m = mirrored(m);
   const float eta = interface_.eta(wo.z)[interface_.hero];
   const float cos_theta = std::clamp(dot(wo, m), 0.0f, 1.0f);
-  const bool reflects = u.lobe < dielectric_reflectance(cos_theta, eta);
-  const Vec3 wi = reflects ? m * (2.0f * cos_theta) - wo : refract(wo, m, eta);
-  if ((wi.z * wo.z > 0.0f) != reflects) return std::nullopt;
+  const float f = dielectric_reflectance(cos_theta, eta);
+  bool reflects = u.lobe < f;
+  Vec3 wi = reflects ? m * (2.0f * cos_theta) - wo : refract(wo, m, eta);
+  const bool out =
+      (wi.z * wo.z > 0.0f) == reflects && std::abs(wi.z) > MicrofacetReflection::kGrazing;
+  if (multiple_) {
+    const float rest = reflects ? u.lobe / f : (u.lobe - f) / (1.0f - f);
+    if (!out || !(rest < unshadowed(wo, wi))) {
+      wi = multiple_->sample(wo, u, interface_.phase, interface_.hero);
+      reflects = wi.z * wo.z > 0.0f;
+    }
+  } else if (!out) {
+    return std::nullopt;
+  }
   const Densities all = densities(wo, wi);
   const float pdf = all.pdf[interface_.hero];
   if (!(pdf > 0.0f)) return std::nullopt;

@@ -7,8 +7,9 @@
 // Smooth: reflection is chosen with the mean reflectance over the lanes, which is the same
 // probability whatever the hero lane is; every lane keeps its own weight. A refracted ray of a
 // dispersive medium belongs to the hero lane alone.
-// Rough: rough_dielectric.h.
+// Rough: rough_dielectric.h and multiple_scattering.h.
 #include <cmath>
+#include <optional>
 
 #include "materials/fresnel_dielectric.h"
 #include "materials/relative_index.h"
@@ -68,21 +69,23 @@ class SmoothDielectricBsdf final : public Bsdf {
 
 class DielectricMaterial final : public Material {
  public:
-  DielectricMaterial(LatticeSpectrum eta, bool dispersive, Roughness roughness)
+  DielectricMaterial(LatticeSpectrum eta, bool dispersive, Roughness roughness, bool multiple)
       : eta_(eta), dispersive_(dispersive), roughness_(roughness) {
     for (int phase = 0; phase < kPhases; ++phase) {
       inverse_[phase] = for_each_lane([&](int i) { return 1.0f / eta_[phase][i]; });
     }
+    if (multiple && !roughness.smooth()) multiple_.emplace(roughness, eta_, dispersive);
   }
 
   const Bsdf* prepare(const ShadingPoint&, SampledWavelengths wavelengths, Transport transport,
                       BsdfStorage& storage) const override {
     const DielectricInterface interface {
       &eta_[wavelengths.phase], &inverse_[wavelengths.phase], wavelengths.hero, dispersive_,
-          transport == Transport::kRadiance
+          transport == Transport::kRadiance, wavelengths.phase
     };
     if (roughness_.smooth()) return storage.make<SmoothDielectricBsdf>(interface);
-    return storage.make<RoughDielectricBsdf>(interface, roughness_);
+    return storage.make<RoughDielectricBsdf>(interface, roughness_,
+                                             multiple_ ? &*multiple_ : nullptr);
   }
   bool uses_uv() const override { return roughness_.anisotropic(); }
   bool only_delta() const override { return roughness_.smooth(); }
@@ -92,6 +95,7 @@ class DielectricMaterial final : public Material {
   LatticeSpectrum eta_, inverse_;
   bool dispersive_;
   Roughness roughness_;
+  std::optional<MultipleScattering> multiple_;
 };
 
 class DielectricType final : public MaterialType {
@@ -105,7 +109,14 @@ class DielectricType final : public MaterialType {
     interior.type = ParameterType::kIndex;
     interior.description = "index of the medium inside, of which n counts, e.g. main/SiO2/Malitson";
     interior.required = true;
-    std::vector<ParameterInfo> all{interior, exterior_parameter()};
+    ParameterInfo multiple;
+    multiple.name = "multiple_scattering";
+    multiple.type = ParameterType::kBoolean;
+    multiple.description =
+        "light that meets the rough surface more than once (no energy is lost); without it that "
+        "light is lost";
+    multiple.default_json = "true";
+    std::vector<ParameterInfo> all{interior, exterior_parameter(), multiple};
     for (ParameterInfo& info : roughness_parameters()) all.push_back(std::move(info));
     return all;
   }
@@ -126,7 +137,8 @@ class DielectricType final : public MaterialType {
       roughness.alpha = {0.0f, 0.0f};
     }
     const bool dispersive = largest - least > kConstantIndex * largest;
-    return std::make_unique<DielectricMaterial>(index.n, dispersive, roughness);
+    return std::make_unique<DielectricMaterial>(index.n, dispersive, roughness,
+                                                parameters.boolean("multiple_scattering"));
   }
 };
 
