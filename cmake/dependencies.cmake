@@ -33,9 +33,17 @@ endif()
 
 add_library(karat_dependencies INTERFACE)
 target_link_libraries(karat_dependencies INTERFACE
-  embree TBB::tbb OpenImageIO::OpenImageIO OpenEXR::OpenEXR nlohmann_json::nlohmann_json
+  embree TBB::tbb OpenEXR::OpenEXR nlohmann_json::nlohmann_json
   ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO
   SQLite::SQLite3 PkgConfig::Cairo)
+# OpenImageIO is linked by the module karat_images alone (CMakeLists.txt); its version is a header's.
+# Debian's target names include folders of packages that need not be installed, which CMake forgives
+# behind a target of our own.
+add_library(karat_openimageio INTERFACE)
+target_link_libraries(karat_openimageio INTERFACE OpenImageIO::OpenImageIO)
+target_include_directories(karat_dependencies SYSTEM INTERFACE
+  $<TARGET_PROPERTY:OpenImageIO::OpenImageIO,INTERFACE_INCLUDE_DIRECTORIES>)
+target_link_libraries(karat_dependencies INTERFACE ${CMAKE_DL_LIBS})
 
 # What Karat's own headers include; cmake/karat-config.cmake.in finds the same.
 set(karat_public_dependencies nlohmann_json::nlohmann_json)

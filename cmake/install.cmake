@@ -1,5 +1,5 @@
-# What `cmake --install` copies: the program, libkarat, its headers, the data files, and the config
-# files for find_package(karat). Karat's headers include nlohmann-json and no other library, so a
+# What `cmake --install` copies: the program, libkarat, the module for images, the headers, the data
+# files, and the config files for find_package(karat). Karat's headers include nlohmann-json and no other library, so a
 # project that uses Karat needs only that one to configure and compile.
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +9,7 @@ if(TARGET karat)
 endif()
 install(TARGETS karat_library EXPORT karat-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS karat_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/karat)
 install(DIRECTORY spectral materials render DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/karat
   FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/karat OPTIONAL)

@@ -8,19 +8,16 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
+#include "render/image_codec.h"
 #include "spectral/support/error.h"
 
 namespace karat {
 namespace {
-
-constexpr std::size_t kMaxImageFloats = std::size_t{1} << 32;
 
 void require_consistent(const Image& image) {
   const auto pixels = static_cast<std::size_t>(std::max(image.width, 0)) *
@@ -82,31 +79,15 @@ std::vector<Imath::half> to_half(const std::vector<float>& values) {
   return halves;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const std::string& path) {
+Image read_file(const std::string& path, bool pixels) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path, "", "no such file");
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path, "", "is a folder, not a file");
   }
-  auto input = OIIO::ImageInput::open(path);
-  if (!input) throw InputError(path, "", "not a readable image: " + OIIO::geterror());
-  return input;
-}
-
-Image header_of(const OIIO::ImageSpec& spec) {
   Image image;
-  image.width = spec.width, image.height = spec.height;
-  image.channels = spec.channelnames;
-  image.x = spec.x - spec.full_x, image.y = spec.y - spec.full_y;
-  image.full_width = spec.full_width, image.full_height = spec.full_height;
-  for (const auto& attribute : spec.extra_attribs) {
-    const std::string name = attribute.name().string();
-    if (attribute.type() == OIIO::TypeFloat) {
-      image.number_attributes[name] = static_cast<double>(attribute.get_float());
-    } else {
-      image.attributes[name] = attribute.get_string();
-    }
-  }
+  const std::string failure = image_codec().read(path, pixels, image);
+  if (!failure.empty()) throw InputError(path, "", failure);
   return image;
 }
 
@@ -126,42 +107,16 @@ void write_exr(const std::string& path, const Image& image, bool half) {
 void write_png(const std::string& path, const Image& image, int bits) {
   require_consistent(image);
   if (bits != 8 && bits != 16) throw std::logic_error("a PNG has 8 or 16 bits");
-  std::vector<float> values = image.values;
-  for (float& v : values) v = v > 0.0f ? std::min(v, 1.0f) : 0.0f;
-
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
-                       bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
-  for (const auto& [name, text] : image.attributes) spec.attribute(name, text);
-  // PNG knows text only.
-  for (const auto& [name, number] : image.number_attributes) {
-    spec.attribute(name, fmt::format("{:.9g}", number));
-  }
+  Image clamped = image;
+  for (float& v : clamped.values) v = v > 0.0f ? std::min(v, 1.0f) : 0.0f;
   replace_file(path, [&](const std::string& temporary) {
-    const auto output = OIIO::ImageOutput::create("png");
-    if (!output) throw RuntimeError("OpenImageIO was built without PNG");
-    if (!output->open(temporary, spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !output->close()) {
-      throw RuntimeError(output->geterror());
-    }
+    const std::string failure = image_codec().write_png(temporary, clamped, bits);
+    if (!failure.empty()) throw RuntimeError(failure);
   });
 }
 
-Image read_image_header(const std::string& path) { return header_of(open_image(path)->spec()); }
+Image read_image_header(const std::string& path) { return read_file(path, false); }
 
-Image read_image(const std::string& path) {
-  const auto input = open_image(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  Image image = header_of(spec);
-  const auto floats =
-      static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels);
-  if (spec.depth > 1 || floats > kMaxImageFloats) {
-    throw InputError(path, "", "too large: at most 2^32 values in two dimensions are read");
-  }
-  image.values.resize(floats);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data())) {
-    throw InputError(path, "", "damaged image: " + input->geterror());
-  }
-  return image;
-}
+Image read_image(const std::string& path) { return read_file(path, true); }
 
 }  // namespace karat

@@ -33,7 +33,8 @@ Image read_image(const std::string& path);
 Image read_image_header(const std::string& path);
 
 // Throws RuntimeError, saying why, when a file could not be written at `path`: the folder is
-// missing or not writable, or `path` is itself a folder. Creates nothing that stays.
+// missing or not writable, `path` is itself a folder, or a PNG is asked for and the module that writes
+// it is missing. Creates nothing that stays.
 void check_writable(const std::string& path);
 
 // Calls `write` with a temporary name beside `path`, then renames to `path`. When anything throws,

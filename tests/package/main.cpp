@@ -1,7 +1,9 @@
-// Evaluates a spectrum through the installed library: exit code 0 when the value is Planck's.
+// Evaluates a spectrum through the installed library, and writes and reads an image, for which the
+// library loads its module: exit code 0 when the value is Planck's and the image comes back.
 #include <cmath>
 #include <cstdio>
 
+#include "render/image_file.h"
 #include "spectral/spectrum.h"
 
 int main() {
@@ -18,5 +20,12 @@ int main() {
 
   std::printf("%s: %.6g W m^-2 sr^-1 nm^-1 at %.2f nm\n", spectrum->description().c_str(), peak,
               peak_nm);
-  return is_maximum && lanes_agree ? 0 : 1;
+
+  karat::Image image;
+  image.width = 2, image.height = 1;
+  image.channels = {"R", "G", "B"};
+  image.values = {0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f};
+  karat::write_png("consumer.png", image);
+  const bool image_returns = karat::read_image("consumer.png").values == image.values;
+  return is_maximum && lanes_agree && image_returns ? 0 : 1;
 }
