@@ -39,7 +39,10 @@ inline double chi_square_p_value(const std::vector<double>& observed,
   for (std::size_t i = 0; i < observed.size(); ++i) {
     cells.emplace_back(std::max(expected[i], 0.0), observed[i]);
   }
-  std::sort(cells.begin(), cells.end());
+  // By what is expected alone: where many cells expect the same, an order by what was observed
+  // would pool the few with the few and the many with the many.
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   double statistic = 0.0, pooled_expected = 0.0, pooled_observed = 0.0;
   int used = 0;
   for (const auto& [e, o] : cells) {

@@ -49,6 +49,17 @@ std::vector<Setting> choices_of(const std::vector<ParameterInfo>& infos) {
   return settings;
 }
 
+// Flags are flipped.
+std::vector<Setting> flags_of(const std::vector<ParameterInfo>& infos) {
+  std::vector<Setting> settings;
+  for (const ParameterInfo& info : infos) {
+    if (info.type != ParameterType::kBoolean) continue;
+    const bool flipped = info.default_json != "true";
+    settings.push_back({info.name + "=" + (flipped ? "true" : "false"), info.name, flipped});
+  }
+  return settings;
+}
+
 std::vector<Setting> numbers_of(const std::vector<ParameterInfo>& infos) {
   std::vector<Setting> settings;
   for (const ParameterInfo& info : infos) {
@@ -75,6 +86,9 @@ class Cases {
     for (const Setting& choice : choices_of(infos)) {
       add(type, {choice});
       for (const Setting& number : numbers_of(infos)) add(type, {choice, number});
+      for (const Setting& flag : flags_of(infos)) {
+        for (const Setting& number : numbers_of(infos)) add(type, {choice, flag, number});
+      }
     }
     bool anisotropic = false;
     for (const ParameterInfo& info : infos) anisotropic |= info.name == "alpha_x";
