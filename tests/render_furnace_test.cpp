@@ -197,7 +197,7 @@ TEST_CASE("white furnace: rough glass balls return 1", "[furnace]") {
   for (const std::string distribution : {"ggx", "beckmann"}) {
     for (const double alpha : {0.002, 0.05, 0.2, 0.5}) {
       CAPTURE(distribution, alpha);
-      check_invisible(sphere(glass(alpha, distribution), 8));
+      check_invisible(sphere(glass(alpha, distribution), 12));
     }
   }
   json anisotropic = glass(0.0);
