@@ -19,6 +19,14 @@ struct FresnelTables {
   std::vector<LatticeSpectrum> planes;
 };
 
+// A number that a model's formula leaves open: prepare() chooses it, a scene may state it.
+struct FresnelParameter {
+  std::string name;         // as in a scene: "exponent"
+  std::string description;  // one sentence
+  double min, max;          // both allowed
+  bool per_material;        // one number for all wavelengths; otherwise one per wavelength
+};
+
 struct PolarisedReflectance {
   SampledSpectrum s;
   SampledSpectrum p;
@@ -34,7 +42,12 @@ class FresnelModel {
   virtual std::string description() const = 0;
   virtual std::string source() const = 0;
 
-  // Runs once at load. `index` is relative to the exterior.
+  // False where the value at one wavelength depends on the index at others too: one fitted number
+  // for a whole material, or the three channels of a renderer without spectra.
+  virtual bool per_wavelength() const { return true; }
+
+  // Runs once at load. `index` is relative to the exterior. Throws InputError where the model
+  // cannot work at these wavelengths (colour channels outside the visible).
   virtual FresnelTables prepare(const LatticeIndex& index) const = 0;
 
   // In [0, 1] for cos_theta in [0, 1]; runs in the loop, once per spectrum.
@@ -48,13 +61,34 @@ class FresnelModel {
     return std::nullopt;
   }
 
-  // The same model for one wavelength in double precision: the check of the float kernel and the
-  // `--precision double` of the command line.
+  // The same model in double precision for a material of this index at every wavelength: the check
+  // of the float kernel and the `--precision double` of the command line. (Where a model is per
+  // wavelength, what the material is at other wavelengths changes nothing.)
   struct Scalar {
     std::optional<double> s, p;
     double unpolarised = 0.0;
   };
   virtual Scalar evaluate(ComplexIndex relative_index, double cos_theta) const = 0;
+
+  // Free parameters, if any. For a model that lists some, prepare(index) is
+  // prepare_with(index, what it chooses), and likewise evaluate(); ParametricFresnel
+  // (materials/fresnel_parametric.h) says it once for all of them. Values are in the order of
+  // parameters(); those of a parameter per material are the same at every wavelength.
+  virtual std::vector<FresnelParameter> parameters() const { return {}; }
+  virtual std::vector<double> chosen(ComplexIndex relative_index) const {
+    (void)relative_index;
+    return {};
+  }
+  virtual FresnelTables prepare_with(const LatticeIndex& index,
+                                     const std::vector<LatticeSpectrum>& values) const {
+    (void)values;
+    return prepare(index);
+  }
+  virtual double evaluate_with(ComplexIndex relative_index, double cos_theta,
+                               const std::vector<double>& values) const {
+    (void)values;
+    return evaluate(relative_index, cos_theta).unpolarised;
+  }
 };
 
 }  // namespace karat

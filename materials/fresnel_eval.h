@@ -18,9 +18,12 @@ enum class FresnelPrecision {
   kDouble,  // FresnelModel::evaluate
 };
 
-// One result per query, in their order. s and p are absent where the model knows only their mean.
+// One result per query, in their order; each query is a material of this index at every wavelength.
+// s and p are absent where the model knows only their mean. `values`, where not empty, are those of
+// model.parameters(); otherwise the model chooses them.
 std::vector<FresnelModel::Scalar> evaluate_fresnel(const FresnelModel& model,
                                                    const std::vector<FresnelQuery>& queries,
-                                                   FresnelPrecision precision);
+                                                   FresnelPrecision precision,
+                                                   const std::vector<double>& values = {});
 
 }  // namespace karat

@@ -86,6 +86,7 @@ IndexTablePtr index_from_spectra(SpectrumPtr n, SpectrumPtr k, Provenance proven
 
 LatticeIndex on_lattice(const IndexTable& table, const WavelengthLattice& lattice) {
   LatticeIndex result;
+  result.lattice = lattice;
   for (int phase = 0; phase < kPhases; ++phase) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const double nm = lattice.wavelength_nm(lane, phase);

@@ -54,10 +54,12 @@ IndexTablePtr constant_index(ComplexIndex index);
 IndexTablePtr index_from_spectra(SpectrumPtr n, SpectrumPtr k, Provenance provenance,
                                  std::vector<std::string> warnings = {});
 
-// n and k at the lattice wavelengths, relative to a real exterior index per wavelength.
+// n and k at the lattice wavelengths, relative to a real exterior index per wavelength. Which
+// wavelengths these are matters to those who weight them by an observer.
 struct LatticeIndex {
   LatticeSpectrum n;
   LatticeSpectrum k;
+  WavelengthLattice lattice = WavelengthLattice();
 };
 // Throws InputError where n or k is negative at a lattice wavelength (some measured tables are).
 LatticeIndex on_lattice(const IndexTable& table, const WavelengthLattice& lattice);

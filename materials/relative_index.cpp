@@ -46,6 +46,7 @@ LatticeIndex relative_index(const std::string& name, const Parameters& parameter
   const IndexTablePtr outside =
       parameters.has("exterior") ? parameters.index("exterior") : constant_index({1.0, 0.0});
   LatticeIndex relative;
+  relative.lattice = context.lattice;
   LatticeSpectrum outside_k;
   for (int phase = 0; phase < kPhases; ++phase) {
     for (int lane = 0; lane < kLanes; ++lane) {

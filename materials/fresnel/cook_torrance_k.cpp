@@ -1,0 +1,51 @@
+// The extinction recovered from the reflectance at normal incidence.
+//
+// n = 1, k = 2 sqrt(F0 / (1 - F0)), then the exact equations: Cook and Torrance, "A reflectance
+// model for computer graphics", ACM TOG 1(1), 1982, section 5 ("The Fresnel equation", for when
+// only F0 is known). An alternative to cook-torrance-n, never used together with it: the two
+// recovered at once do not reflect F0. Exact where n = 1.
+#include "materials/fresnel_exact.h"
+#include "materials/fresnel_terms.h"
+
+namespace karat {
+namespace {
+
+// 1 - F0 is computed apart, as next to 1 the difference cancels. A material that reflects all gets
+// a large extinction.
+ComplexIndex recovered(double n, double k) {
+  const double rest = std::max(normal_absorptance(n, k), 1e-8);
+  return {1.0, 2.0 * std::sqrt(normal_incidence(n, k) / rest)};
+}
+
+class CookTorranceExtinctionFresnel final : public FresnelModel {
+ public:
+  std::string description() const override {
+    return "exact equations for n = 1, k = 2 sqrt(F0 / (1 - F0))";
+  }
+  std::string source() const override {
+    return "Cook and Torrance 1982, ACM Transactions on Graphics 1(1), section 5";
+  }
+
+  FresnelTables prepare(const LatticeIndex& index) const override {
+    return exact_tables(index, recovered);
+  }
+
+  SampledSpectrum reflectance(const FresnelTables& tables, int phase,
+                              float cos_theta) const override {
+    return exact_reflectance(tables, phase, cos_theta);
+  }
+
+  std::optional<PolarisedReflectance> polarised(const FresnelTables& tables, int phase,
+                                                float cos_theta) const override {
+    return exact_polarised(tables, phase, cos_theta);
+  }
+
+  Scalar evaluate(ComplexIndex index, double cos_theta) const override {
+    return exact_scalar(recovered(index.n, index.k), cos_theta);
+  }
+};
+
+KARAT_REGISTER(FresnelModel, "cook-torrance-k", CookTorranceExtinctionFresnel);
+
+}  // namespace
+}  // namespace karat
