@@ -16,6 +16,8 @@ find_package(assimp CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(SQLite3 REQUIRED)
+# Ceres' small solver (ceres/tiny_solver.h) is a header that needs Eigen alone; libceres is not linked.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # Debian puts OpenColorIO's config files where CMake does not look, and cairo has none.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(Cairo REQUIRED IMPORTED_TARGET cairo>=1.16)
@@ -35,7 +37,7 @@ add_library(karat_dependencies INTERFACE)
 target_link_libraries(karat_dependencies INTERFACE
   embree TBB::tbb OpenEXR::OpenEXR nlohmann_json::nlohmann_json
   ${karat_valijson} ${karat_yaml} assimp::assimp CLI11::CLI11 fmt::fmt PkgConfig::OpenColorIO
-  SQLite::SQLite3 PkgConfig::Cairo)
+  SQLite::SQLite3 PkgConfig::Cairo Eigen3::Eigen)
 # OpenImageIO is linked by the module karat_images alone (CMakeLists.txt); its version is a header's.
 # Debian's target names include folders of packages that need not be installed, which CMake forgives
 # behind a target of our own.

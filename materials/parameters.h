@@ -29,6 +29,7 @@ enum class ParameterType {
   kReflectance,  // spectrum within [0, 1]
   kEmission,     // spectrum >= 0 in W m^-2 sr^-1 nm^-1 (or the unit the type states)
   kIndex,        // complex index table
+  kFresnel,      // one of `choices`, or {"model": one of them, "parameters": {NAME: spectrum}}
 };
 
 struct ParameterInfo {
@@ -44,8 +45,15 @@ struct ParameterInfo {
   std::vector<std::string> choices = {};
 };
 
+// A Fresnel model, and values of its free parameters: all that it lists, or none, and then it
+// chooses them for the material.
+struct FresnelChoice {
+  std::string model;
+  std::map<std::string, SpectrumPtr> parameters = {};
+};
+
 using ParameterValue =
-    std::variant<double, bool, std::string, Vec3, Vec2, SpectrumPtr, IndexTablePtr>;
+    std::variant<double, bool, std::string, Vec3, Vec2, SpectrumPtr, IndexTablePtr, FresnelChoice>;
 
 // Checked values by name. The getters throw std::logic_error when a type asks for a parameter that
 // it did not list, or with the wrong type: a mistake in the program, not in the input.
@@ -62,6 +70,7 @@ class Parameters {
   Vec2 vector2(const std::string& name) const { return get<Vec2>(name); }
   SpectrumPtr spectrum(const std::string& name) const { return get<SpectrumPtr>(name); }
   IndexTablePtr index(const std::string& name) const { return get<IndexTablePtr>(name); }
+  const FresnelChoice& fresnel(const std::string& name) const { return get<FresnelChoice>(name); }
 
  private:
   template <typename T>

@@ -22,6 +22,21 @@ Vec2 read_vector2(const JsonValue& value, const ParameterInfo& info) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1])};
 }
 
+// A name, or a name and the model's free parameters. Which ones a model has is not known here.
+FresnelChoice read_fresnel(const JsonValue& value, const ParameterInfo& info,
+                           const ReadContext& context) {
+  if (!value.json().is_object()) return {value.choice("Fresnel model", info.choices), {}};
+  value.allow_keys({"model", "parameters"});
+  FresnelChoice choice{value.member("model").choice("Fresnel model", info.choices), {}};
+  if (!value.has("parameters")) return choice;
+  const JsonValue parameters = value.member("parameters");
+  parameters.require_object();
+  for (const std::string& name : parameters.keys()) {
+    choice.parameters[name] = read_plain_spectrum(parameters.member(name), context);
+  }
+  return choice;
+}
+
 ParameterValue read_value(const JsonValue& value, const ParameterInfo& info,
                           const ReadContext& context) {
   switch (info.type) {
@@ -47,6 +62,8 @@ ParameterValue read_value(const JsonValue& value, const ParameterInfo& info,
       return read_emission(value, context);
     case ParameterType::kIndex:
       return read_index(value, context);
+    case ParameterType::kFresnel:
+      return read_fresnel(value, info, context);
   }
   throw std::logic_error("parameter of unknown type: " + info.name);
 }
@@ -64,6 +81,18 @@ Json vector_schema(const ParameterInfo& info, int components) {
           {"items", number_schema(info, "number")},
           {"minItems", components},
           {"maxItems", components}};
+}
+
+Json fresnel_schema(const ParameterInfo& info) {
+  const Json model = {{"enum", info.choices}};
+  const Json parameters = {{"type", "object"},
+                           {"additionalProperties", {{"$ref", "#/definitions/plain_spectrum"}}}};
+  return {{"anyOf",
+           {model,
+            {{"type", "object"},
+             {"properties", {{"model", model}, {"parameters", parameters}}},
+             {"required", {"model"}},
+             {"additionalProperties", false}}}}};
 }
 
 Json type_schema(const ParameterInfo& info) {
@@ -89,6 +118,8 @@ Json type_schema(const ParameterInfo& info) {
       return {{"$ref", "#/definitions/emission"}};
     case ParameterType::kIndex:
       return {{"$ref", "#/definitions/index"}};
+    case ParameterType::kFresnel:
+      return fresnel_schema(info);
   }
   throw std::logic_error("parameter of unknown type: " + info.name);
 }

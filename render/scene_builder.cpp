@@ -87,7 +87,7 @@ void SceneBuilder::read_materials(const JsonValue& document) {
     const Parameters parameters = read_parameters(value, infos, {"type"}, context_);
     for (const auto& info : infos) {
       if (info.name != "fresnel" || !parameters.has(info.name)) continue;
-      fresnel_models_.insert(fresnel_override_.empty() ? parameters.string(info.name)
+      fresnel_models_.insert(fresnel_override_.empty() ? parameters.fresnel(info.name).model
                                                        : fresnel_override_);
     }
     scene_.materials.push_back(created(value, [&] { return type.create(parameters, context); }));

@@ -117,6 +117,13 @@ Json emission_schema() {
                            kind("file", file_schema())}));
 }
 
+Json plain_spectrum_schema() {
+  return described("A number, or one for every wavelength.",
+                   any_of({{{"type", "number"}},
+                           object({{"table", table_schema()}}, {"table"}),
+                           object({{"file", file_schema()}}, {"file"})}));
+}
+
 Json index_schema() {
   const Json part = any_of({{{"type", "number"}, {"minimum", 0}},
                             object({{"table", table_schema()}}, {"table"}),
@@ -143,6 +150,7 @@ Json shape_schema(bool emits) {
 Json definitions() {
   return {{"reflectance", reflectance_schema()},
           {"emission", emission_schema()},
+          {"plain_spectrum", plain_spectrum_schema()},
           {"index", index_schema()},
           {"transform", transform_schema()},
           {"material", types<MaterialType>()},

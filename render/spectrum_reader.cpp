@@ -133,7 +133,7 @@ SpectrumPtr scaled_emission(SpectrumPtr spectrum, const JsonValue& object,
   return scaled_spectrum(std::move(spectrum), wanted / present);
 }
 
-// A number, a table or a file: one part of a complex index.
+// A number, a table or a file: one part of a complex index, or a parameter.
 SpectrumPtr read_index_part(const JsonValue& value, const Allowed& allowed,
                             const ReadContext& context) {
   if (value.json().is_number()) return constant_spectrum(value.number(allowed));
@@ -225,6 +225,12 @@ SpectrumPtr read_emission(const JsonValue& value, const ReadContext& context) {
   const SpectrumPtr spectrum = emission_before_scale(value, context);
   require_spectrum_coverage(*spectrum, value, context);
   return scaled_emission(spectrum, value, context);
+}
+
+SpectrumPtr read_plain_spectrum(const JsonValue& value, const ReadContext& context) {
+  const SpectrumPtr spectrum = read_index_part(value, {-kLargestValue, kLargestValue}, context);
+  require_spectrum_coverage(*spectrum, value, context);
+  return spectrum;
 }
 
 IndexTablePtr read_index(const JsonValue& value, const ReadContext& context) {

@@ -34,6 +34,9 @@ SpectrumPtr read_reflectance(const JsonValue& value, const ReadContext& context)
 // luminance 1 before "scale"; a blackbody is Planck's radiance, in W m^-2 sr^-1 nm^-1.
 SpectrumPtr read_emission(const JsonValue& value, const ReadContext& context);
 
+// A number, {"table": [[nm, value], ...]} or {"file": "x.spd"}, of either sign and without a unit.
+SpectrumPtr read_plain_spectrum(const JsonValue& value, const ReadContext& context);
+
 // "main/Au/Johnson" or the path of an index file, a number n, or {"eta": spectrum, "k": spectrum}.
 // The table covers the scene's wavelengths, or fails (warns under "clamp").
 IndexTablePtr read_index(const JsonValue& value, const ReadContext& context);

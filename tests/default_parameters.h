@@ -37,6 +37,9 @@ inline Parameters default_parameters(const std::vector<ParameterInfo>& infos) {
       case ParameterType::kEmission:
         parameters.set(info.name, constant_spectrum(json.get<double>()));
         break;
+      case ParameterType::kFresnel:
+        parameters.set(info.name, FresnelChoice{json.get<std::string>()});
+        break;
       case ParameterType::kIndex:
         break;
     }

@@ -27,6 +27,7 @@ ParameterValue default_value(const ParameterInfo& info) {
     return constant_spectrum(json.get<double>());
   }
   if (info.type == ParameterType::kIndex) return constant_index({json.get<double>(), 0.0});
+  if (info.type == ParameterType::kFresnel) return FresnelChoice{json.get<std::string>()};
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number()) return json.get<double>();
   return json.get<std::string>();
@@ -43,7 +44,9 @@ std::vector<Setting> choices_of(const std::vector<ParameterInfo>& infos) {
   std::vector<Setting> settings;
   for (const ParameterInfo& info : infos) {
     for (const std::string& choice : info.choices) {
-      settings.push_back({info.name + "=" + choice, info.name, choice});
+      const bool fresnel = info.type == ParameterType::kFresnel;
+      settings.push_back({info.name + "=" + choice, info.name,
+                          fresnel ? ParameterValue(FresnelChoice{choice}) : choice});
     }
   }
   return settings;

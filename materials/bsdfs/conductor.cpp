@@ -6,11 +6,10 @@
 // surface twice is lost.
 #include <cmath>
 
-#include "materials/fresnel.h"
+#include "materials/fresnel_choice.h"
 #include "materials/microfacet_reflection.h"
 #include "materials/relative_index.h"
 #include "materials/roughness.h"
-#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -79,8 +78,8 @@ class RoughConductorBsdf final : public Bsdf {
 
 class ConductorMaterial final : public Material {
  public:
-  ConductorMaterial(const FresnelModel& fresnel, const LatticeIndex& index, Roughness roughness)
-      : fresnel_(fresnel), tables_(fresnel.prepare(index)), roughness_(roughness) {}
+  ConductorMaterial(PreparedFresnel fresnel, Roughness roughness)
+      : fresnel_(*fresnel.model), tables_(std::move(fresnel.tables)), roughness_(roughness) {}
 
   const Bsdf* prepare(const ShadingPoint&, SampledWavelengths wavelengths, Transport,
                       BsdfStorage& storage) const override {
@@ -98,13 +97,6 @@ class ConductorMaterial final : public Material {
   Roughness roughness_;
 };
 
-const FresnelModel& fresnel_model(const std::string& name) {
-  const auto& models = Registry<FresnelModel>::instance();
-  const FresnelModel* model = models.find(name);
-  if (!model) throw InputError(unknown_name_message("Fresnel model", name, models.names()));
-  return *model;
-}
-
 class ConductorType final : public MaterialType {
  public:
   std::string description() const override {
@@ -116,23 +108,15 @@ class ConductorType final : public MaterialType {
     nk.type = ParameterType::kIndex;
     nk.description = "complex index of the metal";
     nk.required = true;
-    ParameterInfo fresnel;
-    fresnel.name = "fresnel";
-    fresnel.type = ParameterType::kChoice;
-    fresnel.description = "Fresnel model, exact or an approximation";
-    fresnel.default_json = "\"exact\"";
-    fresnel.choices = Registry<FresnelModel>::instance().names();
-    std::vector<ParameterInfo> all{nk, exterior_parameter(), fresnel};
+    std::vector<ParameterInfo> all{nk, exterior_parameter(), fresnel_parameter()};
     for (ParameterInfo& info : roughness_parameters()) all.push_back(std::move(info));
     return all;
   }
   std::unique_ptr<const Material> create(const Parameters& parameters,
                                          const MaterialContext& context) const override {
-    const std::string& name =
-        context.fresnel_override.empty() ? parameters.string("fresnel") : context.fresnel_override;
-    return std::make_unique<ConductorMaterial>(fresnel_model(name),
-                                               relative_index("nk", parameters, context),
-                                               read_roughness(parameters, *context.warnings));
+    return std::make_unique<ConductorMaterial>(
+        prepare_fresnel(parameters, relative_index("nk", parameters, context), context),
+        read_roughness(parameters, *context.warnings));
   }
 };
 

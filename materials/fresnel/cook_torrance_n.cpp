@@ -11,12 +11,12 @@
 namespace karat {
 namespace {
 
-// 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects all
-// gets a large index.
+// 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects
+// all, or more than 0.99987, gets the largest index that the kernel takes.
 ComplexIndex recovered(double n, double k) {
   const double root = std::sqrt(normal_incidence(n, k));
   const double rest = std::max(normal_absorptance(n, k), 1e-8);
-  return {(1.0 + root) * (1.0 + root) / rest, 0.0};
+  return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestIndex), 0.0};
 }
 
 class CookTorranceIndexFresnel final : public FresnelModel {

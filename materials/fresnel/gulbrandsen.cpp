@@ -36,7 +36,7 @@ struct Reflectivity {
   ComplexIndex index(double tint) const {
     const double n = std::max(tint * least_n + (1.0 - tint) * largest_n, 0.0);
     const double k2 = (r * (n + 1.0) * (n + 1.0) - (n - 1.0) * (n - 1.0)) / absorptance;
-    return {n, std::sqrt(std::max(k2, 0.0))};
+    return {std::min(n, kLargestIndex), std::min(std::sqrt(std::max(k2, 0.0)), kLargestIndex)};
   }
 };
 

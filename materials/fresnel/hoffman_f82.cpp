@@ -9,20 +9,11 @@
 // at short wavelengths: here F(mu) itself is the parameter, and nothing is clamped but the result,
 // to [0, 1]. What the clamped tint costs is the model "rgb-f82".
 #include "materials/fresnel_exact.h"
+#include "materials/fresnel_f82.h"
 #include "materials/fresnel_parametric.h"
 
 namespace karat {
 namespace {
-
-constexpr double kMu = 1.0 / 7.0;
-
-template <typename Real>
-inline Real dip(Real c) {
-  const Real x = Real(1) - c;
-  return c * x * fifth_power(x);
-}
-
-double schlick(double f0, double c) { return f0 + (1.0 - f0) * fifth_power(1.0 - c); }
 
 class HoffmanF82Fresnel final : public ParametricFresnel {
  public:
@@ -36,7 +27,7 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
     return {{"f82", "reflectance where the cosine is 1/7, at 81.8 degrees", 0.0, 1.0, false}};
   }
   std::vector<double> chosen(ComplexIndex index) const override {
-    return {exact_scalar(index, kMu).unpolarised};
+    return {exact_scalar(index, kF82Cosine).unpolarised};
   }
 
   FresnelTables prepare_with(const LatticeIndex& index,
@@ -45,8 +36,8 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
     for (int phase = 0; phase < kPhases; ++phase) {
       for (int i = 0; i < kLanes; ++i) {
         const double f0 = normal_incidence(double{index.n[phase][i]}, double{index.k[phase][i]});
-        const double f82 = double{values[0][phase][i]};
-        tables.planes[1][phase][i] = static_cast<float>((schlick(f0, kMu) - f82) / dip(kMu));
+        const double b = f82_strength(f0, double{values[0][phase][i]});
+        tables.planes[1][phase][i] = static_cast<float>(b);
       }
     }
     return tables;
@@ -56,10 +47,10 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];
     const SampledSpectrum& b = tables.planes[1][phase];
-    const float x = fifth_power(1.0f - cos_theta), d = dip(cos_theta);
+    const float x = fifth_power(1.0f - cos_theta), dip = f82_dip(cos_theta);
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
-      r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - b[i] * d, 0.0f, 1.0f);
+      r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - b[i] * dip, 0.0f, 1.0f);
     }
     return r;
   }
@@ -67,8 +58,8 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
   double evaluate_with(ComplexIndex index, double cos_theta,
                        const std::vector<double>& values) const override {
     const double f0 = normal_incidence(index.n, index.k);
-    const double b = (schlick(f0, kMu) - values[0]) / dip(kMu);
-    return std::clamp(schlick(f0, cos_theta) - b * dip(cos_theta), 0.0, 1.0);
+    const double dip = f82_strength(f0, values[0]) * f82_dip(cos_theta);
+    return std::clamp(schlick_from_f0(f0, cos_theta) - dip, 0.0, 1.0);
   }
 };
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "apps/karat/command.h"
+#include "apps/karat/fresnel/named_values.h"
 #include "materials/fresnel_eval.h"
 #include "spectral/support/error.h"
 
@@ -140,16 +141,46 @@ struct EvalOptions {
   std::string model = "exact";
   std::string file = "-";
   std::string precision = "float";
+  std::vector<std::string> parameters;
 };
 
+// Values of all the model's parameters in its order, or none.
+std::vector<double> parameter_values(const EvalOptions& options, const FresnelModel& model) {
+  const auto given = named_values(options.parameters);
+  if (given.empty()) return {};
+  std::vector<double> values;
+  std::vector<std::string> known;
+  for (const FresnelParameter& info : model.parameters()) {
+    known.push_back(info.name);
+    const auto it = given.find(info.name);
+    if (it == given.end()) {
+      throw InputError("", "--set", fmt::format("{} needs \"{}\" too", options.model, info.name));
+    }
+    if (!(it->second >= info.min && it->second <= info.max)) {
+      throw InputError(
+          "", "--set " + info.name,
+          fmt::format("found {:g}, allowed: {:g} to {:g}", it->second, info.min, info.max));
+    }
+    values.push_back(it->second);
+  }
+  for (const auto& [name, value] : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw InputError("", "--set",
+                     known.empty() ? options.model + " has no free parameters"
+                                   : unknown_name_message("parameter", name, known));
+  }
+  return values;
+}
+
 void print_block(const FresnelModel& model, FresnelPrecision precision,
-                 std::vector<std::string>& lines, std::vector<FresnelQuery>& queries) {
+                 const std::vector<double>& values, std::vector<std::string>& lines,
+                 std::vector<FresnelQuery>& queries) {
   // Nine digits give a float back, seventeen a double.
   const int digits = precision == FresnelPrecision::kFloat ? 9 : 17;
   const auto text = [&](std::optional<double> value) {
     return value ? fmt::format("{:.{}g}", *value, digits) : std::string();
   };
-  const auto results = evaluate_fresnel(model, queries, precision);
+  const auto results = evaluate_fresnel(model, queries, precision, values);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto& [s, p, unpolarised] = results[i];
     fmt::print("{},{},{},{}\n", lines[i], text(s), text(p), text(unpolarised));
@@ -161,6 +192,7 @@ int evaluate(const EvalOptions& options) {
   const FresnelModel& model = *Models::instance().find(options.model);
   const auto precision =
       options.precision == "double" ? FresnelPrecision::kDouble : FresnelPrecision::kFloat;
+  const std::vector<double> values = parameter_values(options, model);
   std::ifstream file;
   const bool from_stdin = options.file == "-";
   if (!from_stdin) file.open(options.file);
@@ -173,9 +205,9 @@ int evaluate(const EvalOptions& options) {
   while (reader.next(query)) {
     lines.emplace_back(reader.line());
     queries.push_back(query);
-    if (queries.size() == kLatticeSize) print_block(model, precision, lines, queries);
+    if (queries.size() == kLatticeSize) print_block(model, precision, values, lines, queries);
   }
-  print_block(model, precision, lines, queries);
+  print_block(model, precision, values, lines, queries);
   return 0;
 }
 
@@ -196,10 +228,15 @@ class FresnelEval final : public Command {
                      "float: the renderer's own kernel; double: the same model in double precision")
         ->capture_default_str()
         ->check(CLI::IsMember({"float", "double"}));
+    eval->add_option(
+            "--set", options->parameters,
+            "NAME=VALUE: a free parameter (all of them, or none), see `karat fresnel list`")
+        ->check(named_value_check());
     eval->add_option("FILE", options->file,
                      "CSV with the header n,k,theta_deg[,n_exterior]; - is standard input")
         ->capture_default_str();
     eval->footer(
+        "Each line is a material of its own, with this index at every wavelength.\n"
         "Prints the lines with Rs, Rp and R appended, with 9 digits (17 in double precision);\n"
         "Rs and Rp stay empty where a model knows only R.\n"
         "Example: karat fresnel eval --model schlick angles.csv");

@@ -13,15 +13,33 @@ namespace {
 
 using Models = Registry<FresnelModel>;
 
+nlohmann::ordered_json parameters_json(const FresnelModel& model) {
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+  for (const FresnelParameter& info : model.parameters()) {
+    parameters.push_back({{"name", info.name},
+                          {"description", info.description},
+                          {"range", {info.min, info.max}},
+                          {"per_material", info.per_material}});
+  }
+  return parameters;
+}
+
 int list(bool as_json) {
   nlohmann::ordered_json models = nlohmann::ordered_json::array();
   for (const std::string& name : Models::instance().names()) {
     const FresnelModel& model = *Models::instance().find(name);
     if (as_json) {
-      models.push_back(
-          {{"name", name}, {"description", model.description()}, {"source", model.source()}});
+      models.push_back({{"name", name},
+                        {"description", model.description()},
+                        {"source", model.source()},
+                        {"per_wavelength", model.per_wavelength()},
+                        {"parameters", parameters_json(model)}});
     } else {
       fmt::print("{}\n    {}\n    {}\n", name, model.description(), model.source());
+      for (const FresnelParameter& info : model.parameters()) {
+        fmt::print("    parameter {}: {}, {:g} to {:g}{}\n", info.name, info.description, info.min,
+                   info.max, info.per_material ? ", one for all wavelengths" : "");
+      }
     }
   }
   if (as_json) print_json(models);

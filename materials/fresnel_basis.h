@@ -1,0 +1,55 @@
+// The three functions of angle from which the model "fresnel-decomposition" is made.
+#pragma once
+
+#include <array>
+
+#include "materials/index_table.h"
+
+namespace karat {
+
+// b1 is 0 at normal and 1 at grazing incidence; b2 and b3 are 0 at both ends and at most 1 in
+// magnitude. Linear in u = 4 c / (1 + 3 c) between 129 nodes.
+class FresnelBasis {
+ public:
+  // Computed on first use (some 10 ms), then shared; safe from any thread.
+  static const FresnelBasis& instance();
+
+  template <typename Real>
+  struct Values {
+    Real b1, b2, b3;
+  };
+  template <typename Real>
+  Values<Real> at(Real cos_theta) const {
+    const Real u = Real(kNodes - 1) * Real(4) * cos_theta / (Real(1) + Real(3) * cos_theta);
+    const int j = u < Real(kNodes - 2) ? static_cast<int>(u) : kNodes - 2;
+    const Real t = u - static_cast<Real>(j);
+    const auto& below = nodes_[static_cast<std::size_t>(j)];
+    const auto& above = nodes_[static_cast<std::size_t>(j) + 1];
+    const auto mix = [&](std::size_t i) {
+      const Real a = static_cast<Real>(below[i]), b = static_cast<Real>(above[i]);
+      return a + (b - a) * t;
+    };
+    return {mix(0), mix(1), mix(2)};
+  }
+
+  // Where c2 and c3 are matched: the cosines of the two nodes at which b2 and b3 are most
+  // independent of each other.
+  const std::array<double, 2>& matching_cosines() const { return matching_; }
+
+  // c2 and c3 with which F0 + (1 - F0) b1 + c2 b2 + c3 b3 is exact at both.
+  std::array<double, 2> matched(ComplexIndex index) const;
+
+  // What the basis is computed from: 12 x 12 metals, n from 0.05 to 5 and k from 0.5 to 10, and 12
+  // transparent media, n from 1.1 to 3, all in equal ratios.
+  static std::vector<ComplexIndex> training_set();
+  static constexpr int kNodes = 129;
+  static double node_cosine(int node);
+
+ private:
+  FresnelBasis();
+
+  std::array<std::array<float, 3>, kNodes> nodes_;
+  std::array<double, 2> matching_{};
+};
+
+}  // namespace karat

@@ -1,0 +1,39 @@
+// Fitting the free parameters of a Fresnel model to reflectances, by least squares.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "materials/fresnel.h"
+
+namespace karat {
+
+// What to fit to: a reflectance for every index at every cosine, index by index.
+struct FresnelData {
+  std::vector<ComplexIndex> indices;  // relative to the exterior
+  std::vector<double> cosines;        // in [0, 1]
+  std::vector<double> reflectances;   // indices.size() x cosines.size()
+};
+
+// The exact reflectances.
+FresnelData exact_data(std::vector<ComplexIndex> indices, std::vector<double> cosines);
+
+struct FresnelFit {
+  std::vector<double> values;  // in the order of the model's parameters()
+  double max_abs_error = 0.0, rms_error = 0.0;
+};
+
+// What is left with these values: unweighted over indices and cosines.
+FresnelFit fresnel_residual(const FresnelModel& model, const FresnelData& data,
+                            std::vector<double> values);
+
+// One set of values for all indices, each within its parameter's range, with the least sum of
+// squared differences. Parameters named in `fixed` keep the value given there. Levenberg and
+// Marquardt's method (Ceres' small solver) from what the model would choose and from the best of a
+// grid of starting points. Throws InputError for an unknown name or a value out of range. A model
+// without parameters, or with all of them fixed, is not fitted: the result is its residual.
+FresnelFit fit_fresnel(const FresnelModel& model, const FresnelData& data,
+                       const std::map<std::string, double>& fixed = {});
+
+}  // namespace karat

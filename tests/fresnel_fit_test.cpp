@@ -1,0 +1,151 @@
+#include "materials/fresnel_fit.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "spectral/support/error.h"
+#include "tests/reference_fresnel.h"
+
+using namespace karat;
+
+namespace {
+
+const FresnelModel& model(const std::string& name) {
+  return *Registry<FresnelModel>::instance().find(name);
+}
+
+std::vector<double> cosines() {
+  std::vector<double> c;
+  for (int degrees = 0; degrees < 90; ++degrees) c.push_back(std::cos(degrees * M_PI / 180.0));
+  return c;
+}
+
+// Reflectances that the model itself has with these values.
+FresnelData synthetic(const FresnelModel& m, std::vector<ComplexIndex> indices,
+                      const std::vector<double>& values) {
+  FresnelData data{std::move(indices), cosines(), {}};
+  for (const ComplexIndex& index : data.indices) {
+    for (const double c : data.cosines)
+      data.reflectances.push_back(m.evaluate_with(index, c, values));
+  }
+  return data;
+}
+
+const ComplexIndex kGold{0.42, 2.40}, kAluminium{0.96, 6.69}, kIron{2.95, 2.93};
+
+}  // namespace
+
+TEST_CASE("a fit recovers the parameters that its data were made with", "[fresnel_fit]") {
+  struct Case {
+    const char* name;
+    std::vector<double> values;
+  };
+  for (const Case& c :
+       {Case{"lazanyi-compensated", {0.37, 4.3}}, Case{"lazanyi-compensated-metal", {1.1, 6.5}},
+        Case{"schlick-exponent", {3.7, 0.9}}, Case{"hoffman-f82", {0.72}},
+        Case{"gulbrandsen", {0.8}}, Case{"fresnel-decomposition", {0.06, -0.03}}}) {
+    for (const auto& indices :
+         {std::vector{kGold}, std::vector{kIron}, std::vector{kGold, kAluminium, kIron}}) {
+      const FresnelData data = synthetic(model(c.name), indices, c.values);
+      const FresnelFit fit = fit_fresnel(model(c.name), data);
+      CAPTURE(c.name, indices.size(), fit.rms_error);
+      REQUIRE(fit.values.size() == c.values.size());
+      for (std::size_t p = 0; p < fit.values.size(); ++p) {
+        CHECK(fit.values[p] == Approx(c.values[p]).epsilon(1e-5));
+      }
+      CHECK(fit.max_abs_error <= 1e-7);
+    }
+  }
+}
+
+TEST_CASE("the residual of a fit is what its formula leaves", "[fresnel_fit]") {
+  const FresnelFit fit =
+      fit_fresnel(model("lazanyi-compensated"), exact_data({kGold, kAluminium}, cosines()));
+  double largest = 0.0, squares = 0.0;
+  for (const auto& [n, k] : {kGold, kAluminium}) {
+    const double f0 = reference::fresnel(n, k, 1.0).unpolarised();
+    for (const double c : cosines()) {
+      const double approximated = f0 + (1.0 - f0) * std::pow(1.0 - c, 5.0) -
+                                  fit.values[0] * c * std::pow(1.0 - c, fit.values[1]);
+      const double error =
+          std::clamp(approximated, 0.0, 1.0) - reference::fresnel(n, k, c).unpolarised();
+      largest = std::max(largest, std::abs(error));
+      squares += error * error;
+    }
+  }
+  CHECK(fit.max_abs_error == Approx(largest).margin(1e-12));
+  CHECK(fit.rms_error == Approx(std::sqrt(squares / 180.0)).margin(1e-12));
+}
+
+TEST_CASE("no point of a fine grid does better than a fit", "[fresnel_fit]") {
+  const auto least_on_grid = [](const FresnelModel& m, const FresnelData& data,
+                                std::vector<double> first, std::vector<double> last, int steps) {
+    double least = 1e30;
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= (first.size() > 1 ? steps : 0); ++j) {
+        std::vector<double> values{first[0] + (last[0] - first[0]) * i / steps};
+        if (first.size() > 1) values.push_back(first[1] + (last[1] - first[1]) * j / steps);
+        least = std::min(least, fresnel_residual(m, data, values).rms_error);
+      }
+    }
+    return least;
+  };
+  for (const auto& indices : {std::vector{kGold}, std::vector{kAluminium}, std::vector{kIron},
+                              std::vector{ComplexIndex{1.5, 0.0}}}) {
+    const FresnelData data = exact_data(indices, cosines());
+    CAPTURE(indices[0].n, indices[0].k);
+    const auto best = [&](const char* name) { return fit_fresnel(model(name), data).rms_error; };
+    CHECK(best("lazanyi-compensated") <=
+          least_on_grid(model("lazanyi-compensated"), data, {-3.0, 1.0}, {3.0, 25.0}, 120));
+    CHECK(best("schlick-exponent") <=
+          least_on_grid(model("schlick-exponent"), data, {1.0, 0.0}, {20.0, 1.0}, 120));
+    CHECK(best("hoffman-f82") <= least_on_grid(model("hoffman-f82"), data, {0.0}, {1.0}, 2000));
+    CHECK(best("gulbrandsen") <= least_on_grid(model("gulbrandsen"), data, {0.0}, {1.0}, 2000));
+    CHECK(best("fresnel-decomposition") <=
+          least_on_grid(model("fresnel-decomposition"), data, {-0.5, -0.5}, {0.5, 0.5}, 120));
+  }
+}
+
+TEST_CASE("a fit never does worse than what the model chooses", "[fresnel_fit]") {
+  for (const std::string& name : Registry<FresnelModel>::instance().names()) {
+    const FresnelModel& m = model(name);
+    if (m.parameters().empty()) continue;
+    for (const ComplexIndex index : {kGold, kAluminium, kIron, ComplexIndex{0.05, 3.3}}) {
+      const FresnelData data = exact_data({index}, cosines());
+      const FresnelFit fit = fit_fresnel(m, data);
+      CAPTURE(name, index.n, index.k);
+      CHECK(fit.rms_error <= fresnel_residual(m, data, m.chosen(index)).rms_error);
+      const auto infos = m.parameters();
+      REQUIRE(fit.values.size() == infos.size());
+      for (std::size_t p = 0; p < infos.size(); ++p) {
+        CHECK_FALSE(infos[p].description.empty());
+        CHECK((fit.values[p] >= infos[p].min && fit.values[p] <= infos[p].max));
+      }
+    }
+  }
+}
+
+// The exponent that the model chooses with F90 = 1 is the one that the fit finds, over the model's
+// own angles.
+TEST_CASE("the exponent that schlick-exponent chooses is the least-squares one", "[fresnel_fit]") {
+  std::vector<double> own;
+  for (int j = 0; j < 64; ++j) own.push_back(std::cos((j + 0.5) / 64 * M_PI / 2));
+  for (const ComplexIndex index : {kGold, kAluminium, kIron, ComplexIndex{1.5, 0.0}}) {
+    const FresnelModel& m = model("schlick-exponent");
+    const FresnelFit fit = fit_fresnel(m, exact_data({index}, own), {{"f90", 1.0}});
+    CAPTURE(index.n, index.k);
+    CHECK(fit.values[1] == 1.0);
+    CHECK(m.chosen(index)[0] == Approx(fit.values[0]).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a fit refuses unknown and impossible fixed values", "[fresnel_fit]") {
+  const FresnelData data = exact_data({kGold}, cosines());
+  CHECK_THROWS_AS(fit_fresnel(model("schlick-exponent"), data, {{"exponnt", 5.0}}), InputError);
+  CHECK_THROWS_AS(fit_fresnel(model("schlick-exponent"), data, {{"f90", 1.5}}), InputError);
+  const FresnelFit fixed =
+      fit_fresnel(model("schlick-exponent"), data, {{"f90", 1.0}, {"exponent", 5.0}});
+  CHECK(fixed.values == std::vector<double>{5.0, 1.0});
+  CHECK(fixed.rms_error ==
+        Approx(fresnel_residual(model("schlick"), data, {}).rms_error).margin(1e-12));
+}
