@@ -11,6 +11,8 @@ namespace karat {
 // magnitude. Linear in u = 4 c / (1 + 3 c) between 129 nodes.
 class FresnelBasis {
  public:
+  static constexpr int kNodes = 129;
+
   // Computed on first use (some 10 ms), then shared; safe from any thread.
   static const FresnelBasis& instance();
 
@@ -23,13 +25,12 @@ class FresnelBasis {
     const Real u = Real(kNodes - 1) * Real(4) * cos_theta / (Real(1) + Real(3) * cos_theta);
     const int j = u < Real(kNodes - 2) ? static_cast<int>(u) : kNodes - 2;
     const Real t = u - static_cast<Real>(j);
-    const auto& below = nodes_[static_cast<std::size_t>(j)];
-    const auto& above = nodes_[static_cast<std::size_t>(j) + 1];
-    const auto mix = [&](std::size_t i) {
-      const Real a = static_cast<Real>(below[i]), b = static_cast<Real>(above[i]);
+    const auto mix = [&](const std::array<float, kNodes>& nodes) {
+      const Real a = static_cast<Real>(nodes[static_cast<std::size_t>(j)]);
+      const Real b = static_cast<Real>(nodes[static_cast<std::size_t>(j) + 1]);
       return a + (b - a) * t;
     };
-    return {mix(0), mix(1), mix(2)};
+    return {mix(nodes_[0]), mix(nodes_[1]), mix(nodes_[2])};
   }
 
   // Where c2 and c3 are matched: the cosines of the two nodes at which b2 and b3 are most
@@ -42,13 +43,12 @@ class FresnelBasis {
   // What the basis is computed from: 12 x 12 metals, n from 0.05 to 5 and k from 0.5 to 10, and 12
   // transparent media, n from 1.1 to 3, all in equal ratios.
   static std::vector<ComplexIndex> training_set();
-  static constexpr int kNodes = 129;
   static double node_cosine(int node);
 
  private:
   FresnelBasis();
 
-  std::array<std::array<float, 3>, kNodes> nodes_;
+  std::array<std::array<float, kNodes>, 3> nodes_;
   std::array<double, 2> matching_{};
 };
 

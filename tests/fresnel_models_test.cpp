@@ -101,6 +101,34 @@ TEST_CASE("the approximations agree with their published formulas", "[fresnel]")
   }
 }
 
+// What a model says about itself holds: its parameters are in range where it chooses them, and
+// prepare() is prepare_with() of these.
+TEST_CASE("every model chooses its parameters within their range", "[fresnel]") {
+  const auto index = std::make_unique<LatticeIndex>();
+  index->n = LatticeSpectrum(0.42f), index->k = LatticeSpectrum(2.4f);
+  const ComplexIndex m{double{0.42f}, double{2.4f}};
+  for (const std::string& name : Registry<FresnelModel>::instance().names()) {
+    const FresnelModel& model_ = model(name);
+    const auto infos = model_.parameters();
+    const std::vector<double> chosen = model_.chosen(m);
+    CAPTURE(name);
+    REQUIRE(chosen.size() == infos.size());
+    std::vector<LatticeSpectrum> values;
+    for (std::size_t p = 0; p < infos.size(); ++p) {
+      CHECK_FALSE((infos[p].name.empty() || infos[p].description.empty()));
+      CHECK((chosen[p] >= infos[p].min && chosen[p] <= infos[p].max));
+      values.emplace_back(static_cast<float>(chosen[p]));
+    }
+    const FresnelTables prepared = model_.prepare(*index);
+    const FresnelTables stated = model_.prepare_with(*index, values);
+    for (const float c : {1.0f, 0.7f, 0.2f, 0.01f}) {
+      const double r = double{model_.reflectance(prepared, 2, c)[1]};
+      CHECK(double{model_.reflectance(stated, 2, c)[1]} == Approx(r).margin(1e-6));
+      CHECK(model_.evaluate_with(m, double{c}, chosen) == Approx(r).margin(2e-6));
+    }
+  }
+}
+
 // 1 - F0 = 4 n / ((n + 1)^2 + k^2), so that Schlick's form with the F0 of a complex index is
 // Lazanyi's rescaled one.
 TEST_CASE("schlick and lazanyi are algebraically the same", "[fresnel]") {

@@ -47,13 +47,13 @@ class CompensatedMetalFresnel final : public ParametricFresnel {
     return {{lattice_of(index, normal_incidence), values[0], values[1]}};
   }
 
-  // At normal incidence the logarithm is minus infinity and the power zero.
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];
     const float a = tables.planes[1][0][0], alpha = tables.planes[2][0][0];
     const float x = fifth_power(1.0f - cos_theta);
-    const float error = a * cos_theta * exp2_of_negative(alpha * std::log2(1.0f - cos_theta));
+    const float error =
+        a * cos_theta * exp2_of_negative(alpha * log2_of_fraction(1.0f - cos_theta));
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
       r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - error, 0.0f, 1.0f);

@@ -96,13 +96,12 @@ class SchlickExponentFresnel final : public ParametricFresnel {
     return {{lattice_of(index, normal_incidence), values[0], values[1]}};
   }
 
-  // At normal incidence the logarithm is minus infinity and the power zero.
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];
     const SampledSpectrum& exponent = tables.planes[1][phase];
     const SampledSpectrum& f90 = tables.planes[2][phase];
-    const float logarithm = std::log2(1.0f - cos_theta);
+    const float logarithm = log2_of_fraction(1.0f - cos_theta);
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
       r[i] = std::min(f0[i] + (f90[i] - f0[i]) * exp2_of_negative(exponent[i] * logarithm), 1.0f);

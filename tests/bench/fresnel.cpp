@@ -1,7 +1,7 @@
 // What one Fresnel term costs: every registered model, for kLanes wavelengths of gold, angles as a
 // rough surface asks for them. Each model's prepare() is timed too: it runs once per material.
 //
-//   bench_fresnel --benchmark_filter=fresnel/ --benchmark_repetitions=9 \
+//   bench_fresnel --benchmark_filter=fresnel/ --benchmark_repetitions=9
 //     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include "materials/fresnel.h"
 
@@ -21,7 +21,7 @@ const std::array<float, kAngles>& cosines() {
   static const std::array<float, kAngles> values = [] {
     std::array<float, kAngles> c;
     for (std::size_t i = 0; i < kAngles; ++i) {
-      c[i] = static_cast<float>((i * 389 % kAngles + 0.5) / kAngles);
+      c[i] = (static_cast<float>(i * 389 % kAngles) + 0.5f) / kAngles;
     }
     return c;
   }();
