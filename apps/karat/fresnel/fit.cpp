@@ -2,19 +2,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 #include "apps/karat/command.h"
+#include "apps/karat/fresnel/fit_scene.h"
 #include "apps/karat/fresnel/named_values.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_check.h"
-#include "materials/fresnel_fit.h"
+#include "materials/fresnel_fit_material.h"
 #include "materials/index_catalogue.h"
-#include "render/image_file.h"
-#include "render/scene_json.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -47,9 +46,14 @@ std::vector<double> numbers_of(const std::string& text, char separator) {
   }
 }
 
-// "380:780:5", or "450,550,650"; empty where the text is neither.
+// "380:780:5", or "450,550,650" in increasing order and once each; empty where the text is neither.
 std::vector<double> wavelengths_of(const std::string& text) {
-  if (text.find(':') == std::string::npos) return numbers_of(text, ',');
+  if (text.find(':') == std::string::npos) {
+    std::vector<double> list = numbers_of(text, ',');
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
   const std::vector<double> parts = numbers_of(text, ':');
   if (parts.size() != 3 || !(parts[0] <= parts[1])) return {};
   const double steps = std::floor((parts[1] - parts[0]) / parts[2] + 1e-9);
@@ -61,73 +65,20 @@ std::vector<double> wavelengths_of(const std::string& text) {
   return wavelengths;
 }
 
-std::vector<double> angle_cosines() {
-  std::vector<double> cosines;
-  for (int degrees = 0; degrees < 90; ++degrees) {
-    cosines.push_back(std::sin((90.0 - degrees) * (M_PI / 180.0)));
-  }
-  return cosines;
-}
-
-struct Fits {
-  std::vector<FresnelParameter> parameters;
-  std::vector<double> wavelengths_nm;
-  std::vector<FresnelFit> fits;  // one a wavelength, or one for all
-  double max_abs_error = 0.0, rms_error = 0.0;
-
-  bool per_wavelength() const { return fits.size() == wavelengths_nm.size(); }
-};
-
-Fits fitted(const Options& options, const FresnelModel& model, const IndexTable& table) {
-  Fits result{model.parameters(), wavelengths_of(options.wavelengths), {}, 0.0, 0.0};
-  const auto [least, largest] =
-      std::minmax_element(result.wavelengths_nm.begin(), result.wavelengths_nm.end());
-  require_coverage(table, {*least, *largest}, RangePolicy::kError);
-  std::vector<ComplexIndex> indices;
-  for (const double nm : result.wavelengths_nm) {
-    const ComplexIndex index = table.at(nm);
-    if (!(index.n >= 0.0 && index.k >= 0.0)) {
-      throw InputError(options.page, "",
-                       fmt::format("n = {:g}, k = {:g} at {:g} nm; both must be 0 "
-                                   "or above",
-                                   index.n, index.k, nm));
-    }
-    indices.push_back({index.n / options.n_exterior, index.k / options.n_exterior});
-  }
-  bool per_material = options.over_range;
-  for (const FresnelParameter& info : result.parameters) per_material |= info.per_material;
-  const auto fixed = named_values(options.fixed);
-  const auto add = [&](std::vector<ComplexIndex> chosen) {
-    result.fits.push_back(
-        fit_fresnel(model, exact_data(std::move(chosen), angle_cosines()), fixed));
-  };
-  if (per_material) {
-    add(indices);
-  } else {
-    for (const ComplexIndex& index : indices) add({index});
-  }
-  for (const FresnelFit& fit : result.fits) {
-    result.max_abs_error = std::max(result.max_abs_error, fit.max_abs_error);
-    result.rms_error += fit.rms_error * fit.rms_error;
-  }
-  result.rms_error = std::sqrt(result.rms_error / static_cast<double>(result.fits.size()));
-  return result;
-}
-
-OrderedJson fit_json(const Fits& fits, std::size_t i) {
+OrderedJson fit_json(const FresnelFits& fits, std::size_t i) {
   OrderedJson values;
   for (std::size_t p = 0; p < fits.parameters.size(); ++p) {
     values[fits.parameters[p].name] = fits.fits[i].values[p];
   }
   OrderedJson json;
-  if (fits.per_wavelength()) json["nm"] = fits.wavelengths_nm[i];
+  if (fits.per_wavelength) json["nm"] = fits.wavelengths_nm[i];
   json["values"] = values;
   json["max_abs_error"] = fits.fits[i].max_abs_error;
   json["rms_error"] = fits.fits[i].rms_error;
   return json;
 }
 
-void print_as_json(const Options& options, const IndexTable& table, const Fits& fits) {
+void print_as_json(const Options& options, const IndexTable& table, const FresnelFits& fits) {
   OrderedJson parameters = OrderedJson::array(), list = OrderedJson::array();
   for (const FresnelParameter& info : fits.parameters) {
     parameters.push_back(
@@ -140,7 +91,7 @@ void print_as_json(const Options& options, const IndexTable& table, const Fits& 
                          {"parameters", parameters},
                          {"angles_deg", "0:89:1"},
                          {"wavelengths_nm", fits.wavelengths_nm},
-                         {"per_wavelength", fits.per_wavelength()},
+                         {"per_wavelength", fits.per_wavelength},
                          {"fits", list},
                          {"max_abs_error", fits.max_abs_error},
                          {"rms_error", fits.rms_error}});
@@ -152,7 +103,7 @@ void print_line(const std::string& first, const FresnelFit& fit) {
   fmt::print(" {:>11.3e} {:>11.3e}\n", fit.max_abs_error, fit.rms_error);
 }
 
-void print_table(const Options& options, const IndexTable& table, const Fits& fits) {
+void print_table(const Options& options, const IndexTable& table, const FresnelFits& fits) {
   fmt::print("{} of {} against the exact equations, 0 to 89 degrees in steps of 1\n", options.model,
              table.provenance().name);
   for (const FresnelParameter& info : fits.parameters) {
@@ -161,7 +112,7 @@ void print_table(const Options& options, const IndexTable& table, const Fits& fi
   fmt::print("\n{:>16}", "nm");
   for (const FresnelParameter& info : fits.parameters) fmt::print(" {:>12}", info.name);
   fmt::print(" {:>11} {:>11}\n", "max error", "RMS error");
-  if (!fits.per_wavelength()) {
+  if (!fits.per_wavelength) {
     print_line(fmt::format("{:g} to {:g}", fits.wavelengths_nm.front(), fits.wavelengths_nm.back()),
                fits.fits[0]);
     return;
@@ -173,65 +124,18 @@ void print_table(const Options& options, const IndexTable& table, const Fits& fi
              fits.max_abs_error, fits.rms_error);
 }
 
-// What a scene says to use these values.
-OrderedJson scene_choice(const std::string& model, const Fits& fits) {
-  OrderedJson parameters;
-  for (std::size_t p = 0; p < fits.parameters.size(); ++p) {
-    OrderedJson& value = parameters[fits.parameters[p].name];
-    if (!fits.per_wavelength() || fits.fits.size() == 1) {
-      value = fits.fits[0].values[p];
-      continue;
-    }
-    OrderedJson rows = OrderedJson::array();
-    for (std::size_t i = 0; i < fits.fits.size(); ++i) {
-      rows.push_back({fits.wavelengths_nm[i], fits.fits[i].values[p]});
-    }
-    value["table"] = rows;
-  }
-  return {{"model", model}, {"parameters", parameters}};
-}
-
-// The conductors of a scene that are made of the page, or the one that is asked for.
-std::vector<std::string> materials_of(const Options& options, const JsonValue& scene) {
-  std::vector<std::string> conductors, found;
-  const JsonValue materials = scene.member("materials");
-  for (const std::string& name : materials.require_object().keys()) {
-    const JsonValue material = materials.member(name);
-    if (!material.has("type") || material.member("type").json() != "conductor") continue;
-    conductors.push_back(name);
-    const bool same_page = material.has("nk") && material.member("nk").json() == options.page;
-    if (options.material.empty() ? same_page : name == options.material) found.push_back(name);
-  }
-  if (!found.empty()) return found;
-  if (!options.material.empty()) {
-    materials.fail(unknown_name_message("conductor", options.material, conductors));
-  }
-  materials.fail("no conductor has \"nk\": \"" + options.page + "\"; name one with --material");
-}
-
-void write_scene(const Options& options, const Fits& fits) {
-  const std::string text = read_text_file(options.scene, kMaxSceneBytes);
-  const Json checked = parse_json(text, options.scene);
-  const std::vector<std::string> names = materials_of(options, JsonValue(checked, options.scene));
-  OrderedJson scene = OrderedJson::parse(text);
-  for (const std::string& name : names) {
-    scene["materials"][name]["fresnel"] = scene_choice(options.model, fits);
-  }
-  const std::string& path = options.output.empty() ? options.scene : options.output;
-  replace_file(path, [&](const std::string& temporary) {
-    std::ofstream file(temporary, std::ios::binary);
-    file << scene.dump(2) << '\n';
-    if (!file.flush()) throw RuntimeError("cannot write \"" + path + "\"");
-  });
-  fmt::print(stderr, "{}: {} in {}\n", path, options.model, fmt::join(names, ", "));
-}
-
 int fit(const Options& options) {
   const FresnelModel& model = *Models::instance().find(options.model);
   const IndexTablePtr table = find_index_table(options.page);
-  const Fits fits = fitted(options, model, *table);
+  const FresnelFits fits =
+      fit_material(model, *table, wavelengths_of(options.wavelengths),
+                   {options.n_exterior, options.over_range, named_values(options.fixed)});
   options.as_json ? print_as_json(options, *table, fits) : print_table(options, *table, fits);
-  if (!options.scene.empty()) write_scene(options, fits);
+  if (options.scene.empty()) return 0;
+  const std::string& path = options.output.empty() ? options.scene : options.output;
+  const auto names = write_fit_to_scene({options.scene, path, options.page, options.material},
+                                        options.model, fits);
+  fmt::print(stderr, "{}: {} in {}\n", path, options.model, fmt::join(names, ", "));
   return 0;
 }
 

@@ -1,0 +1,175 @@
+// Free parameters of Fresnel models in scenes and on the command line, and a model that registers
+// itself while the program runs.
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "apps/karat/run_karat.h"
+#include "materials/fresnel_choice.h"
+#include "tests/material_cases.h"
+#include "tests/scene_text.h"
+
+using namespace karat;
+using Catch::Matchers::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Workplace {
+  fs::path path = fs::temp_directory_path() / ("karat_fresnel_" + std::to_string(::getpid()));
+  Workplace() { fs::create_directories(path); }
+  ~Workplace() { fs::remove_all(path); }
+  std::string file(const std::string& name) const { return (path / name).string(); }
+};
+
+struct Outcome {
+  int code;
+  std::string out;
+};
+
+// What karat prints to standard output.
+Outcome karat_run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "karat");
+  std::vector<const char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::fflush(nullptr);
+  std::FILE* file = std::tmpfile();
+  const int saved = dup(STDOUT_FILENO);
+  dup2(fileno(file), STDOUT_FILENO);
+  const int code = run_karat(static_cast<int>(argv.size()), argv.data());
+  std::fflush(nullptr);
+  dup2(saved, STDOUT_FILENO);
+  close(saved);
+  std::string text(static_cast<std::size_t>(lseek(fileno(file), 0, SEEK_END)), ' ');
+  const bool whole = pread(fileno(file), text.data(), text.size(), 0) >= 0;
+  std::fclose(file);
+  return {code, whole ? text : ""};
+}
+
+nlohmann::json scene_with(const nlohmann::json& fresnel) {
+  nlohmann::json scene = small_scene();
+  scene["materials"]["clay"] = {
+      {"type", "conductor"}, {"nk", "main/Au/Johnson"}, {"fresnel", fresnel}};
+  return scene;
+}
+
+// The reflectance of the scene's one material at an angle, hero wavelengths of a phase.
+SampledSpectrum reflected(const nlohmann::json& scene, float cos_theta) {
+  const Scene loaded = load_scene_text(scene.dump(), "test.json", "");
+  BsdfStorage storage;
+  const Bsdf& bsdf = *loaded.materials[0]->prepare({}, {3, 0}, Transport::kRadiance, storage);
+  const Vec3 wo{std::sqrt(1.0f - cos_theta * cos_theta), 0.0f, cos_theta};
+  return bsdf.sample(wo, {0.5f, {0.5f, 0.5f}})->weight;
+}
+
+// Reflects half of what Schlick's approximation does, at any material.
+class HalfFresnel final : public FresnelModel {
+ public:
+  std::string description() const override { return "half"; }
+  std::string source() const override { return "this test"; }
+  FresnelTables prepare(const LatticeIndex&) const override { return {}; }
+  SampledSpectrum reflectance(const FresnelTables&, int, float cos_theta) const override {
+    return SampledSpectrum(0.5f * cos_theta);
+  }
+  Scalar evaluate(ComplexIndex, double cos_theta) const override {
+    return {std::nullopt, std::nullopt, 0.5 * cos_theta};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a conductor takes a model's parameters from its scene", "[fresnel]") {
+  const nlohmann::json stated = {{"model", "schlick-exponent"},
+                                 {"parameters", {{"exponent", 3.0}, {"f90", 0.9}}}};
+  const SampledSpectrum f0 = reflected(scene_with("schlick"), 1.0f);
+  const SampledSpectrum r = reflected(scene_with(stated), 0.2f);
+  for (int i = 0; i < kLanes; ++i) {
+    const double expected = double{f0[i]} + (0.9 - double{f0[i]}) * std::pow(0.8, 3.0);
+    CHECK(double{r[i]} == Approx(expected).margin(1e-6));
+  }
+  // By name alone, and with an empty list, the model chooses.
+  const SampledSpectrum chosen = reflected(scene_with("schlick-exponent"), 0.2f);
+  const SampledSpectrum same = reflected(scene_with({{"model", "schlick-exponent"}}), 0.2f);
+  CHECK(chosen.lane == same.lane);
+  CHECK(chosen[0] != r[0]);
+  const nlohmann::json table = {{"table", {{380, 2.0}, {780, 8.0}}}};
+  const SampledSpectrum varying =
+      reflected(scene_with({{"model", "schlick-exponent"},
+                            {"parameters", {{"exponent", table}, {"f90", 1}}}}),
+                0.2f);
+  const double nm = WavelengthLattice().wavelength_nm(7, 3);
+  const double exponent = 2.0 + 6.0 * (nm - 380.0) / 400.0;
+  CHECK(double{varying[7]} ==
+        Approx(double{f0[7]} + (1.0 - double{f0[7]}) * std::pow(0.8, exponent)).margin(1e-6));
+}
+
+TEST_CASE("wrong parameters of a model are errors that say what is allowed", "[fresnel]") {
+  const auto error = [](const nlohmann::json& parameters, const char* model = "schlick-exponent") {
+    return load_error(scene_with({{"model", model}, {"parameters", parameters}}));
+  };
+  CHECK_THAT(error({{"exponent", 3}}), Contains("f90") && Contains("missing"));
+  CHECK_THAT(error({{"exponnt", 3}, {"f90", 1}}), Contains("did you mean \"exponent\""));
+  CHECK_THAT(error({{"exponent", 300}, {"f90", 1}}), Contains("found 300") && Contains("1 to 100"));
+  CHECK_THAT(error({{"f", 3}}, "schlick"), Contains("no free parameters"));
+  CHECK_THAT(error({{"a", {{"table", {{380, 0.1}, {780, 0.2}}}}}, {"alpha", 5}},
+                   "lazanyi-compensated-metal"),
+             Contains("one number"));
+  CHECK_THAT(load_error(scene_with({{"model", "shlick"}})), Contains("did you mean \"schlick\""));
+  CHECK_THAT(load_error(scene_with({{"modle", "schlick"}})), Contains("modle"));
+}
+
+TEST_CASE("--fresnel with another model drops stated parameters, and says so", "[fresnel]") {
+  SceneOverrides overrides;
+  overrides.fresnel = "schlick";
+  const auto scene = scene_with(
+      {{"model", "schlick-exponent"}, {"parameters", {{"exponent", 3.0}, {"f90", 0.9}}}});
+  const Scene loaded = load_scene_text(scene.dump(), "test.json", "", overrides);
+  CHECK(loaded.fresnel == "schlick");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK_THAT(loaded.warnings[0], Contains("schlick-exponent") && Contains("--fresnel"));
+}
+
+TEST_CASE("karat fresnel fit writes what it finds into a scene that renders", "[fresnel]") {
+  const Workplace work;
+  std::ofstream(work.file("in.json")) << scene_with("exact").dump();
+  const std::string out = work.file("out.json");
+  CHECK(karat_run({"fresnel", "fit", "main/Au/Johnson", "--model", "hoffman-f82", "--nm",
+                   "380:780:20", "--scene", work.file("in.json"), "-o", out})
+            .code == 0);
+  std::ifstream in(out);
+  const nlohmann::json scene = nlohmann::json::parse(in);
+  const auto& fresnel = scene["materials"]["clay"]["fresnel"];
+  CHECK(fresnel["model"] == "hoffman-f82");
+  CHECK(fresnel["parameters"]["f82"]["table"].size() == 21);
+  const SampledSpectrum r = reflected(scene, 0.3f), exact = reflected(scene_with("exact"), 0.3f);
+  for (int i = 0; i < kLanes; ++i) CHECK(std::abs(r[i] - exact[i]) <= 0.03f);
+
+  const auto printed = nlohmann::json::parse(
+      karat_run({"fresnel", "fit", "main/Au/Johnson", "--model", "lazanyi-compensated", "--nm",
+                 "450,550", "--over-range", "--json"})
+          .out);
+  CHECK(printed["per_wavelength"] == false);
+  REQUIRE(printed["fits"].size() == 1);
+  CHECK(printed["fits"][0]["values"].contains("alpha"));
+  CHECK(printed["max_abs_error"] >= printed["rms_error"]);
+}
+
+TEST_CASE("a model that is one new class is listed, evaluated and rendered at once", "[fresnel]") {
+  auto& models = Registry<FresnelModel>::instance();
+  models.add("test-half", std::make_unique<const HalfFresnel>());
+  const Workplace work;
+  std::ofstream(work.file("angles.csv")) << "n,k,theta_deg\n0.4,2.4,60\n";
+  const Outcome listed = karat_run({"fresnel", "list"});
+  const Outcome evaluated =
+      karat_run({"fresnel", "eval", "--model", "test-half", work.file("angles.csv")});
+  const SampledSpectrum r = reflected(scene_with("test-half"), 0.5f);
+  models.remove("test-half");
+  CHECK_THAT(listed.out, Contains("test-half\n    half\n    this test"));
+  CHECK(evaluated.code == 0);
+  CHECK_THAT(evaluated.out, Contains("0.4,2.4,60,,,0.25"));
+  CHECK(r[0] == 0.25f);
+}
