@@ -88,6 +88,11 @@ class Cases {
     add(type, {});
     for (const Setting& choice : choices_of(infos)) {
       add(type, {choice});
+      // Fresnel models only scale what the distribution does: one roughness for each is enough.
+      if (choice.parameter == "fresnel") {
+        add(type, {choice, {"alpha=0.3", "alpha", 0.3}});
+        continue;
+      }
       for (const Setting& number : numbers_of(infos)) add(type, {choice, number});
       for (const Setting& flag : flags_of(infos)) {
         for (const Setting& number : numbers_of(infos)) add(type, {choice, flag, number});
