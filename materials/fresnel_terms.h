@@ -24,9 +24,9 @@ inline double normal_absorptance(double n, double k) {
   return 4.0 * n / ((n + 1.0) * (n + 1.0) + k * k);
 }
 
-// log2(x) for x in (0, 1], within 2e-7; at 0 it is below -126, whose power is 0 for what follows.
-// The library's takes longer than all the lanes of a model. log2(m) = 2 atanh(z) / ln 2, z = (m -
-// 1)/(m + 1), by its series, for m within a factor sqrt(2) of 1.
+// log2(x) for x in (0, 1], within 2e-7 (relatively, beyond 1); at 0 it is -127, whose power is 0
+// for what follows. Without a call of the library: 8 % of the time of lazanyi-compensated. log2(m)
+// = 2 atanh(z) / ln 2, z = (m - 1)/(m + 1), by its series, for m within a factor sqrt(2) of 1.
 inline float log2_of_fraction(float x) {
   const int bits = std::bit_cast<int>(x);
   const int exponent = (bits - 0x3f3504f3) >> 23;
