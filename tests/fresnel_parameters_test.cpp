@@ -9,7 +9,6 @@
 
 #include "apps/karat/run_karat.h"
 #include "materials/fresnel_choice.h"
-#include "tests/material_cases.h"
 #include "tests/scene_text.h"
 
 using namespace karat;
