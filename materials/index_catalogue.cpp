@@ -1,14 +1,17 @@
 #include "materials/index_catalogue.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <list>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "materials/index_folder.h"
+#include "materials/index_names.h"
 #include "materials/index_table_file.h"
 #include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
@@ -60,19 +63,72 @@ class Library {
     return entries;
   }
 
+  std::string full_name(const std::string& typed) const {
+    if (known_file(typed)) return typed;
+    const MatchingNames found = matching_names(typed, titled_names());
+    if (found.match == NameMatch::kNone) throw InputError(unknown(typed));
+    if (found.match == NameMatch::kParts && found.names.size() == 1) return found.names.front();
+    throw InputError(several(typed, found.names));
+  }
+
+  std::vector<std::string> matching(const std::string& typed) const {
+    if (known_file(typed)) return {typed};
+    MatchingNames found = matching_names(typed, titled_names());
+    if (found.names.empty()) throw InputError(unknown(typed));
+    return std::move(found.names);
+  }
+
+  std::vector<std::string> folder_paths() const {
+    std::vector<std::string> paths;
+    for (const IndexFolder& folder : folders_) paths.push_back(folder.path().string());
+    return paths;
+  }
+
  private:
   void add(const fs::path& path) {
     std::error_code ignored;
     if (!path.empty() && fs::is_directory(path, ignored)) folders_.emplace_back(path);
   }
 
-  std::string file_of(const std::string& name) const {
+  std::optional<std::string> known_file(const std::string& name) const {
     for (const IndexFolder& folder : folders_) {
-      if (auto file = folder.find(name)) return *file;
+      if (auto file = folder.find(name)) return file;
     }
     std::error_code ignored;
     if (fs::is_regular_file(name, ignored)) return name;
+    return std::nullopt;
+  }
+
+  std::string file_of(const std::string& name) const {
+    if (auto file = known_file(name)) return *file;
     throw InputError(unknown(name));
+  }
+
+  std::vector<TitledName> titled_names() const {
+    std::map<std::string, std::string> title_of_book;
+    for (const IndexFolder& folder : folders_) {
+      const auto& books = folder.catalogue_file().books;
+      title_of_book.insert(books.begin(), books.end());
+    }
+    std::vector<TitledName> names;
+    for (const IndexTableEntry& entry : list(true)) {
+      const auto title = title_of_book.find(entry.name.substr(0, entry.name.rfind('/')));
+      names.push_back({entry.name, title == title_of_book.end() ? "" : title->second});
+    }
+    return names;
+  }
+
+  static std::string several(const std::string& typed, const std::vector<std::string>& names) {
+    constexpr std::size_t kMostListed = 40;
+    std::string text = names.size() == 1
+                           ? "\"" + typed + "\" is not a table's name; did you mean this one?"
+                           : "\"" + typed + "\" may be any of " + std::to_string(names.size()) +
+                                 " index tables; give one by its name:";
+    for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i) text += "\n  " + names[i];
+    if (names.size() > kMostListed)
+      text += "\n  and " + std::to_string(names.size() - kMostListed) + " more";
+    return text + "\n\"karat nk search " + typed + "\" tells their ranges, \"karat nk compare " +
+           typed + "\" their colours.";
   }
 
   std::string unknown(const std::string& name) const {
@@ -116,5 +172,13 @@ IndexTablePtr find_index_table(const std::string& name) { return library().find(
 std::vector<IndexTableEntry> list_index_tables(bool everywhere) {
   return library().list(everywhere);
 }
+
+std::string full_index_name(const std::string& typed) { return library().full_name(typed); }
+
+std::vector<std::string> matching_index_names(const std::string& typed) {
+  return library().matching(typed);
+}
+
+std::vector<std::string> index_folders() { return library().folder_paths(); }
 
 }  // namespace karat

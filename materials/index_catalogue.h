@@ -30,4 +30,20 @@ struct IndexTableEntry {
 // alphabetical order of name; a name that a later folder repeats is left out.
 std::vector<IndexTableEntry> list_index_tables(bool everywhere = false);
 
+// --- Names as people type them. Scenes take full names alone, so that a table that is added later
+// never changes what a scene means; the command line is more generous.
+
+// The full name for `typed`: `typed` itself where find_index_table knows it; otherwise the one
+// table of which it gives whole parts: "Au/Johnson", "Olmon-ev", "au/johnson". Throws InputError
+// that lists the tables when several match ("Au", "Johnson", "gold").
+std::string full_index_name(const std::string& typed);
+
+// All tables that `typed` means: whole parts of their names ("Au", "main/Au", "Johnson"), words of
+// their book's title ("gold"), or the start of a part ("Au/Olmon"). In alphabetical order. Throws
+// InputError when there is none.
+std::vector<std::string> matching_index_names(const std::string& typed);
+
+// The folders that exist, in the order in which they are searched.
+std::vector<std::string> index_folders();
+
 }  // namespace karat

@@ -1,7 +1,6 @@
 #include "materials/index_folder.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestCatalogue = std::uintmax_t{16} << 20;
 constexpr const char* kCatalogue = "catalog-nk.yml";
 
 bool is_file(const fs::path& path) {
@@ -105,29 +103,11 @@ const IndexFolder::Catalogue& IndexFolder::catalogue() const {
 
 IndexFolder::Catalogue IndexFolder::read_catalogue() const {
   Catalogue result;
-  const std::string file = (folder_ / kCatalogue).string();
-  if (!is_file(file)) return result;
-  if (fs::file_size(file) > kLargestCatalogue)
-    throw InputError(file, "", "too large for a catalogue");
-  try {
-    for (const YAML::Node& shelf : YAML::LoadFile(file)) {
-      if (!shelf["SHELF"]) continue;
-      for (const YAML::Node& book : shelf["content"]) {
-        if (!book["BOOK"]) continue;
-        const std::string start = shelf["SHELF"].Scalar() + "/" + book["BOOK"].Scalar() + "/";
-        for (const YAML::Node& page : book["content"]) {
-          if (!page["PAGE"] || !page["data"]) continue;
-          const std::string id = start + page["PAGE"].Scalar();
-          auto& paths = result.paths[id];
-          if (paths.empty()) result.ids.push_back(id);
-          const std::string& path = page["data"].Scalar();
-          if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
-        }
-      }
-    }
-  } catch (const YAML::Exception& error) {
-    throw InputError(file, fmt::format("line {}", error.mark.line + 1),
-                     "not a catalogue: " + error.msg);
+  result.file = read_index_catalogue((folder_ / kCatalogue).string());
+  for (const CataloguePage& page : result.file.pages) {
+    auto& paths = result.paths[page.id];
+    if (paths.empty()) result.ids.push_back(page.id);
+    if (std::find(paths.begin(), paths.end(), page.path) == paths.end()) paths.push_back(page.path);
   }
   return result;
 }

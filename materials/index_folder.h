@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "materials/index_catalogue_file.h"
+
 namespace karat {
 
 // FOLDER holds SHELF/BOOK/nk/PAGE.yml, directly or below FOLDER/data, and may hold catalog-nk.yml.
@@ -25,11 +27,18 @@ class IndexFolder {
   // The ids that the catalogue lists: further names of the same tables.
   const std::vector<std::string>& catalogue_ids() const { return catalogue().ids; }
 
+  // What the catalogue says, with its titles.
+  const IndexCatalogueFile& catalogue_file() const { return catalogue().file; }
+
   const std::filesystem::path& path() const { return folder_; }
+
+  // What the catalogue's paths start from: path() or the folder "data" in it.
+  const std::filesystem::path& root() const { return root_; }
 
  private:
   // The catalogue's paths below root_ per id, in the catalogue's order; read when first needed.
   struct Catalogue {
+    IndexCatalogueFile file;
     std::vector<std::string> ids;
     std::map<std::string, std::vector<std::string>> paths;
   };

@@ -35,8 +35,8 @@ std::string line_of(const YAML::Mark& mark) {
 
 class Loader {
  public:
-  Loader(std::string origin, Provenance provenance)
-      : origin_(std::move(origin)), provenance_(std::move(provenance)) {}
+  Loader(std::string origin, Provenance provenance, std::vector<IndexBlock>& blocks)
+      : origin_(std::move(origin)), provenance_(std::move(provenance)), blocks_(blocks) {}
 
   IndexTablePtr load(const std::string& text) {
     const YAML::Node root = YAML::Load(text);
@@ -124,6 +124,9 @@ class Loader {
     const YAML::Mark mark = block["data"].Mark();
     BlockPlace where{origin_, place, mark.is_null() ? 0 : mark.line + 2};
     IndexRows rows = index_rows(text, names, where, warnings_);
+    blocks_.push_back({"tabulated " + names,
+                       rows.wavelengths_nm.size(),
+                       {rows.wavelengths_nm.front(), rows.wavelengths_nm.back()}});
     SpectrumPtr first = rows_curve(rows.wavelengths_nm, std::move(rows.first));
     take(names[0] == 'n' ? n_ : k_, first, names.substr(0, 1), place);
     if (names.size() == 2) {
@@ -152,6 +155,7 @@ class Loader {
     if (!curve.gaps.empty()) {
       warn(fmt::format("{}: n^2 is negative or infinite at {}", what, curve.gaps));
     }
+    blocks_.push_back({fmt::format("formula {}", number), 0, stated});
     take(n_, curve.n, "n", place);
   }
 
@@ -200,6 +204,7 @@ class Loader {
 
   std::string origin_;
   Provenance provenance_;
+  std::vector<IndexBlock>& blocks_;
   std::vector<std::string> warnings_;
   SpectrumPtr n_;
   SpectrumPtr k_;
@@ -223,14 +228,15 @@ std::string without_tabs(const std::string& text) {
   return result;
 }
 
-IndexTablePtr load(const std::string& text, const std::string& origin, Provenance provenance) {
+IndexTablePtr load(const std::string& text, const std::string& origin, Provenance provenance,
+                   std::vector<IndexBlock>& blocks) {
   if (text.size() > kLargestFile) {
     throw InputError(
         origin, "",
         fmt::format("{} bytes; an index table has at most {}", text.size(), kLargestFile));
   }
   try {
-    return Loader(origin, std::move(provenance)).load(without_tabs(text));
+    return Loader(origin, std::move(provenance), blocks).load(without_tabs(text));
   } catch (const YAML::Exception& error) {
     throw InputError(origin, line_of(error.mark), "not valid YAML: " + error.msg);
   }
@@ -256,11 +262,18 @@ std::string read_text(const std::string& path) {
 }  // namespace
 
 IndexTablePtr load_index_table_file(const std::string& path, const std::string& name) {
-  return load(read_text(path), path, {name, path, "", "", ""});
+  std::vector<IndexBlock> blocks;
+  return load_index_table_file(path, name, blocks);
+}
+
+IndexTablePtr load_index_table_file(const std::string& path, const std::string& name,
+                                    std::vector<IndexBlock>& blocks) {
+  return load(read_text(path), path, {name, path, "", "", ""}, blocks);
 }
 
 IndexTablePtr load_index_table_text(const std::string& text, const std::string& name) {
-  return load(text, name, {name, "", "", "", ""});
+  std::vector<IndexBlock> blocks;
+  return load(text, name, {name, "", "", "", ""}, blocks);
 }
 
 }  // namespace karat

@@ -1,7 +1,9 @@
 // Index tables in the YAML format of refractiveindex.info (docs/tables.md describes it).
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "materials/index_table.h"
 
@@ -13,5 +15,16 @@ namespace karat {
 // the data usable are in warnings(); negative values are kept as they stand (see on_lattice).
 IndexTablePtr load_index_table_file(const std::string& path, const std::string& name);
 IndexTablePtr load_index_table_text(const std::string& text, const std::string& name);
+
+// A DATA block as a file lists it.
+struct IndexBlock {
+  std::string type;      // "tabulated nk", "formula 2"
+  std::size_t rows = 0;  // 0 for a formula
+  WavelengthRange range;
+};
+
+// As above, and tells of every block, also where the file is no table because it lists k alone.
+IndexTablePtr load_index_table_file(const std::string& path, const std::string& name,
+                                    std::vector<IndexBlock>& blocks);
 
 }  // namespace karat

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "apps/karat/command.h"
-#include "apps/karat/run_karat.h"
 #include "render/image_file.h"
+#include "tests/run_cli.h"
 #include "tests/scene_text.h"
 
 namespace karat {
@@ -16,46 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
-
-// What goes to a file descriptor while it lives.
-class Captured {
- public:
-  explicit Captured(int descriptor)
-      : descriptor_(descriptor), saved_(dup(descriptor)), file_(std::tmpfile()) {
-    std::fflush(nullptr);
-    dup2(fileno(file_), descriptor_);
-  }
-  ~Captured() {
-    std::fflush(nullptr);
-    dup2(saved_, descriptor_);
-    close(saved_);
-    std::fclose(file_);
-  }
-  std::string text() const {
-    std::fflush(nullptr);
-    std::string result(static_cast<std::size_t>(lseek(fileno(file_), 0, SEEK_END)), ' ');
-    if (pread(fileno(file_), result.data(), result.size(), 0) < 0) return "";
-    return result;
-  }
-
- private:
-  int descriptor_, saved_;
-  std::FILE* file_;
-};
-
-struct Outcome {
-  int code;
-  std::string out, err;
-};
-
-Outcome karat_run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "karat");
-  std::vector<const char*> argv;
-  for (const auto& argument : arguments) argv.push_back(argument.c_str());
-  const Captured out(STDOUT_FILENO), err(STDERR_FILENO);
-  const int code = run_karat(static_cast<int>(argv.size()), argv.data());
-  return {code, out.text(), err.text()};
-}
+using test::karat_run;
+using test::Outcome;
 
 // A folder with a scene file in it.
 struct Workplace {

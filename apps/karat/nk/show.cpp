@@ -7,10 +7,11 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
-#include "apps/karat/number_check.h"
+#include "apps/karat/number_list.h"
 #include "apps/karat/swatch.h"
 #include "materials/index_catalogue.h"
 #include "materials/index_colour.h"
+#include "materials/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -40,7 +41,7 @@ std::vector<double> usual_wavelengths(WavelengthRange range) {
 // n, k and F0 at a wavelength; null outside the range and where the table has no index.
 json value_json(const IndexTable& table, double nm) {
   json value = {{"nm", nm}, {"n", nullptr}, {"k", nullptr}, {"f0", nullptr}};
-  if (!table.range().covers({nm, nm})) return value;
+  if (!covers_wavelength(table, nm)) return value;
   try {
     const ComplexIndex index = table.at(nm);
     value["n"] = index.n;
@@ -105,7 +106,7 @@ void print_table(const json& table) {
 }
 
 int run_show(const Options& options) {
-  const IndexTablePtr table = find_index_table(options.name);
+  const IndexTablePtr table = find_index_table(full_index_name(options.name));
   const json facts =
       table_json(*table, options.wavelengths_nm.empty() ? usual_wavelengths(table->range())
                                                         : options.wavelengths_nm);
@@ -122,11 +123,11 @@ class NkShow final : public Command {
   void add_to(CLI::App& nk, std::function<int()>& action) const override {
     const auto options = std::make_shared<Options>();
     CLI::App* show = nk.add_subcommand("show", "Source, range, values and colour of one table");
-    show->add_option("name", options->name, "Id (main/Au/Johnson), path below a folder, or file")
+    show->add_option("name", options->name,
+                     "Id (main/Au/Johnson, short Au/Johnson), path below a folder, or file")
         ->required();
-    show->add_option("--nm", options->wavelengths_nm, "Wavelengths in nm: 400,550,700")
-        ->delimiter(',')
-        ->check(number_check(1e-3, 1e9));
+    add_number_list(*show, "--nm", options->wavelengths_nm,
+                    "Wavelengths in nm: 400,550:600:10 is 400, 550, 560, ..., 600", 1e-3, 1e15);
     show->add_flag("--json", options->as_json, "Machine-readable output");
     show->footer("Example: karat nk show main/Au/Johnson --nm 450,550,650");
     show->callback([&action, options] { action = [options] { return run_show(*options); }; });

@@ -1,0 +1,88 @@
+#include "materials/index_search.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "materials/index_catalogue.h"
+#include "materials/index_search_folder.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+namespace fs = std::filesystem;
+
+SqliteDatabase rebuilt(const std::string& folder, const std::string& fingerprint,
+                       std::string& problem) {
+  SqliteDatabase database = build_search_database(folder, fingerprint);
+  const std::string file = index_search_cache_file(folder);
+  try {
+    if (file.empty()) throw SqliteError("neither XDG_CACHE_HOME nor HOME is set");
+    store_search_database(database, file);
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  return database;
+}
+
+// Calls `use` with the folder's database: the stored one where it is sound and up to date. Damage
+// that shows only when it is read ends in a second try, with a new one.
+void with_database(const std::string& folder, std::string& problem,
+                   const std::function<void(const SqliteDatabase&)>& use) {
+  const std::string fingerprint = folder_fingerprint(folder);
+  try {
+    return use(open_search_database(index_search_cache_file(folder), folder, fingerprint));
+  } catch (const SqliteError&) {
+  }
+  use(rebuilt(folder, fingerprint, problem));
+}
+
+// What the words had to look like to be found: the first that no table has, and its neighbour.
+void explain(const std::vector<std::string>& words, const std::vector<std::string>& folders,
+             IndexSearchResult& result) {
+  for (const std::string& word : words) {
+    bool known = false;
+    std::vector<std::string> others;
+    for (const std::string& folder : folders) {
+      with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
+        known = known || has_word(database, word);
+        if (!known) others = all_words(database);
+      });
+    }
+    if (known) continue;
+    result.unknown_word = word;
+    result.nearest_word = nearest_name(word, others);
+    return;
+  }
+}
+
+bool is_usual(const IndexSearchHit& hit) {
+  return hit.facts.kind == "nk" && hit.facts.range.covers(kVisible);
+}
+
+}  // namespace
+
+IndexSearchResult search_index_tables(const IndexSearchQuery& query) {
+  IndexSearchResult result;
+  std::set<std::string> seen;
+  std::vector<std::string> folders = index_folders();
+  for (std::string& folder : folders) folder = fs::absolute(folder).lexically_normal().string();
+  for (const std::string& folder : folders) {
+    with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
+      for (IndexSearchHit& hit : search_database(database, query)) {
+        if (seen.insert(hit.name).second) result.hits.push_back(std::move(hit));
+      }
+    });
+  }
+  std::stable_sort(result.hits.begin(), result.hits.end(),
+                   [](const IndexSearchHit& a, const IndexSearchHit& b) {
+                     if (a.score != b.score) return a.score > b.score;
+                     return is_usual(a) && !is_usual(b);
+                   });
+  if (result.hits.empty()) explain(query.words, folders, result);
+  return result;
+}
+
+}  // namespace karat
