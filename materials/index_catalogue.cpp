@@ -140,7 +140,7 @@ class Library {
       names.insert(names.end(), ids.begin(), ids.end());
       looked += (looked.empty() ? "" : ", ") + folder.path().string();
     }
-    const std::string near = nearest_name(name, names);
+    const std::string near = nearest_full_name(name, names);
     return "unknown index table \"" + name + "\"" +
            (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
            "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders.";

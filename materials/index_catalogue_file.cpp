@@ -23,10 +23,12 @@ std::string title_of(const YAML::Node& node) {
 void read_book(const YAML::Node& book, const std::string& shelf, IndexCatalogueFile& result) {
   const std::string name = shelf + "/" + book["BOOK"].Scalar(), title = title_of(book);
   if (!title.empty()) result.books.emplace_back(name, title);
+  std::string section;
   for (const YAML::Node& page : book["content"]) {
+    if (page["DIVIDER"]) section = plain_text(page["DIVIDER"].Scalar());
     if (!page["PAGE"] || !page["data"]) continue;
-    result.pages.push_back(
-        {name + "/" + page["PAGE"].Scalar(), page["data"].Scalar(), title, title_of(page)});
+    result.pages.push_back({name + "/" + page["PAGE"].Scalar(), page["data"].Scalar(), title,
+                            section, title_of(page)});
   }
 }
 

@@ -11,6 +11,7 @@ struct CataloguePage {
   std::string id;          // "main/Au/Johnson"
   std::string path;        // "main/Au/nk/Johnson.yml", below the folder's data
   std::string book_title;  // "Au (Gold)"
+  std::string section;     // the divider above it: "Experimental data: bulk, thick film"
   std::string page_title;  // "Johnson and Christy 1972: n,k 0.188-1.937 um"
 };
 

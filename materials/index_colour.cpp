@@ -10,17 +10,21 @@
 namespace karat {
 namespace {
 
-// What a surface of the table reflects; negative n or k, which some tables have, describe none.
-double exact_reflectance(const IndexTable& table, double nm, double cos_theta) {
-  static const FresnelModel& exact = *Registry<FresnelModel>::instance().find("exact");
+const FresnelModel& model_of(const std::string& name) {
+  const auto& models = Registry<FresnelModel>::instance();
+  const FresnelModel* model = models.find(name);
+  if (!model) throw InputError(unknown_name_message("Fresnel model", name, models.names()));
+  return *model;
+}
+
+// Negative n or k, which some tables have, describe no surface.
+ComplexIndex physical_index(const IndexTable& table, double nm) {
   const ComplexIndex index = table.at(nm);
-  if (index.n < 0.0 || index.k < 0.0) {
-    throw InputError(
-        fmt::format("index table \"{}\" gives n = {:.6g}, k = {:.6g} at {:.7g} nm: a "
-                    "colour needs n >= 0 and k >= 0",
-                    table.provenance().name, index.n, index.k, nm));
-  }
-  return exact.evaluate(index, cos_theta).unpolarised;
+  if (index.n >= 0.0 && index.k >= 0.0) return index;
+  throw InputError(
+      fmt::format("index table \"{}\" gives n = {:.6g}, k = {:.6g} at {:.7g} nm: a "
+                  "colour needs n >= 0 and k >= 0",
+                  table.provenance().name, index.n, index.k, nm));
 }
 
 }  // namespace
@@ -38,10 +42,19 @@ std::optional<Xyz> normal_colour(const IndexTable& table) {
 }
 
 IndexColour index_colour(const IndexTable& table, const ColourConditions& conditions) {
-  const bool held = !require_coverage(table, kVisible, conditions.range).empty();
-  return reflectance_colour(
-      [&](double nm) { return exact_reflectance(table, nm, conditions.cos_theta); }, conditions,
-      held ? kWholeObserver : table.range());
+  const bool held = !require_coverage(table, kVisible, RangePolicy::kClamp).empty();
+  if (held && conditions.range == RangePolicy::kError) {
+    throw InputError(
+        fmt::format("index table \"{}\" covers {:.7g} to {:.7g} nm, but a colour needs "
+                    "{:g} to {:g} nm; extrapolate by \"clamp\" to hold its end values",
+                    table.provenance().name, table.range().min_nm, table.range().max_nm,
+                    kVisible.min_nm, kVisible.max_nm));
+  }
+  const FresnelModel& model = model_of(conditions.fresnel);
+  const auto reflectance = [&](double nm) {
+    return model.evaluate(physical_index(table, nm), conditions.cos_theta).unpolarised;
+  };
+  return reflectance_colour(reflectance, conditions, held ? kWholeObserver : table.range());
 }
 
 IndexColour reflectance_colour(const WavelengthFunction& reflectance,

@@ -21,7 +21,8 @@ std::optional<Xyz> normal_colour(const IndexTable& table);
 struct ColourConditions {
   std::string illuminant = "D65";  // one of illuminant_names()
   std::string observer = "cie1931";
-  double cos_theta = 1.0;  // of the angle of incidence, in [0, 1]
+  double cos_theta = 1.0;         // of the angle of incidence, in [0, 1]
+  std::string fresnel = "exact";  // a registered FresnelModel
   // kClamp holds the end values of a table that does not cover 380 to 780 nm; kError throws.
   RangePolicy range = RangePolicy::kError;
 };
@@ -32,9 +33,9 @@ struct IndexColour {
   Rgb linear_srgb;  // of xyz adapted from the illuminant's white to D65 (Bradford), not clamped
 };
 
-// The colour of the unpolarised reflectance by the exact Fresnel equations (Born and Wolf, section
-// 14.2), over the wavelengths that the table covers. Throws InputError where the table does not
-// cover 380 to 780 nm, gives no index or a negative one, or the illuminant has no power.
+// The colour of the unpolarised reflectance over the wavelengths that the table covers. Throws
+// InputError where the table does not cover 380 to 780 nm, gives no index or a negative one, or the
+// illuminant has no power.
 IndexColour index_colour(const IndexTable& table, const ColourConditions& conditions = {});
 
 // The same for a reflectance that is known at all wavelengths of the observer.

@@ -1,8 +1,11 @@
 #include "materials/index_compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "materials/fresnel.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -56,6 +59,24 @@ std::optional<IndexComparison::Summary> IndexComparison::summary() const {
   std::sort(all.begin(), all.end());
   summary.median = all.size() % 2 == 1 ? all[half] : 0.5 * (all[half - 1] + all[half]);
   return summary;
+}
+
+std::vector<ModelDifference> model_differences(const IndexTable& table, ColourConditions conditions,
+                                               const std::vector<double>& angles_deg) {
+  std::vector<ModelDifference> result;
+  for (const std::string& model : Registry<FresnelModel>::instance().names()) {
+    if (model == "exact") continue;
+    ModelDifference difference{model, {}};
+    for (const double angle : angles_deg) {
+      conditions.cos_theta = std::cos(angle * std::numbers::pi / 180.0);
+      conditions.fresnel = "exact";
+      const Lab exact = index_colour(table, conditions).lab;
+      conditions.fresnel = model;
+      difference.ciede2000.push_back(delta_e_2000(index_colour(table, conditions).lab, exact));
+    }
+    result.push_back(std::move(difference));
+  }
+  return result;
 }
 
 }  // namespace karat

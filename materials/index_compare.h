@@ -41,4 +41,12 @@ class IndexComparison {
   std::vector<ComparedTable> tables_;
 };
 
+// What the registered Fresnel models, other than the exact one, do to the colour of one table.
+struct ModelDifference {
+  std::string model;
+  std::vector<double> ciede2000;  // from the colour of the exact equations, per angle
+};
+std::vector<ModelDifference> model_differences(const IndexTable& table, ColourConditions conditions,
+                                               const std::vector<double>& angles_deg);
+
 }  // namespace karat

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <map>
 #include <string_view>
+
+#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -73,6 +76,23 @@ MatchingNames matching_names(const std::string& typed, const std::vector<TitledN
     if (!result.names.empty()) return result;
   }
   return {};
+}
+
+std::string nearest_full_name(const std::string& typed, const std::vector<std::string>& known) {
+  if (std::string near = nearest_name(typed, known); !near.empty()) return near;
+  const auto slashes = std::count(typed.begin(), typed.end(), '/');
+  std::map<std::string, std::string> name_of_tail;
+  std::vector<std::string> tails;
+  for (const std::string& name : known) {
+    std::size_t start = name.size();
+    for (auto i = slashes; i >= 0 && start != std::string::npos && start > 0; --i)
+      start = name.rfind('/', start - 1);
+    if (start == std::string::npos || start == 0) continue;
+    tails.push_back(name.substr(start + 1));
+    name_of_tail.emplace(tails.back(), name);
+  }
+  const std::string near = nearest_name(typed, tails);
+  return near.empty() ? "" : name_of_tail.at(near);
 }
 
 }  // namespace karat

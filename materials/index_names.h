@@ -29,4 +29,8 @@ struct MatchingNames {
 // The names that `typed` means by the first kind of match, in the order above, that gives any.
 MatchingNames matching_names(const std::string& typed, const std::vector<TitledName>& known);
 
+// The name in `known` that is nearest to what was typed, whole or in its last parts: for
+// "Au/Jonson" "main/Au/Johnson". "" where none is near.
+std::string nearest_full_name(const std::string& typed, const std::vector<std::string>& known);
+
 }  // namespace karat

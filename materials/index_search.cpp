@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <set>
+#include <map>
 
 #include "materials/index_catalogue.h"
 #include "materials/index_search_folder.h"
@@ -66,13 +66,18 @@ bool is_usual(const IndexSearchHit& hit) {
 
 IndexSearchResult search_index_tables(const IndexSearchQuery& query) {
   IndexSearchResult result;
-  std::set<std::string> seen;
+  std::map<std::string, std::size_t> place;  // of a name in the hits
   std::vector<std::string> folders = index_folders();
   for (std::string& folder : folders) folder = fs::absolute(folder).lexically_normal().string();
   for (const std::string& folder : folders) {
     with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
       for (IndexSearchHit& hit : search_database(database, query)) {
-        if (seen.insert(hit.name).second) result.hits.push_back(std::move(hit));
+        const auto [known, is_new] = place.emplace(hit.name, result.hits.size());
+        if (is_new) {
+          result.hits.push_back(std::move(hit));
+        } else if (std::string& title = result.hits[known->second].title; title.empty()) {
+          title = hit.title;  // the same table, from a folder whose catalogue has titles
+        }
       }
     });
   }

@@ -39,8 +39,9 @@ struct IndexSearchResult {
 
 // The tables that fit, best first. A word counts 8 in the material's names and in the name's book,
 // 5 in its page and title (the author), 2 in the reference, 1 in comments and conditions, and six
-// tenths of it where only the start of a word fits. Of equal scores those come first that cover the
-// visible with n and k, then those of earlier folders, then the catalogue's order.
+// tenths of it where only the start of a word fits; one that is all of what a material is called,
+// "gold" but not "gold-silver alloy", counts 4 more. Of equal scores those come first that cover
+// the visible with n and k, then those of earlier folders, then the catalogue's order.
 //
 // Each folder's words are stored in the file index_search_cache_file(folder), a SQLite database
 // that is made anew when a table or catalogue in the folder appeared, vanished or has another size

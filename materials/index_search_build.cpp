@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -22,23 +23,31 @@ namespace {
 namespace fs = std::filesystem;
 
 // "KNKS"; the version is of the tables below and of what is read into them.
-constexpr int kApplication = 0x4b4e4b53, kVersion = 1;
+constexpr int kApplication = 0x4b4e4b53, kVersion = 2;
 
 constexpr const char* kSchema = R"(
   CREATE TABLE source(folder TEXT, fingerprint TEXT);
   CREATE TABLE pages(id INTEGER PRIMARY KEY, name TEXT, file TEXT, material TEXT, title TEXT,
                      kind TEXT, form TEXT, samples INTEGER, min_nm REAL, max_nm REAL,
-                     metal INTEGER, reference TEXT, comments TEXT, conditions TEXT, problem TEXT);
+                     metal INTEGER, reference TEXT, comments TEXT, conditions TEXT, problem TEXT,
+                     names TEXT);
   CREATE VIRTUAL TABLE words USING fts5(material, page, reference, notes, content='',
                                         tokenize='unicode61 remove_diacritics 2');
   CREATE VIRTUAL TABLE vocabulary USING fts5vocab(words, row);
 )";
 
 struct Page {
-  std::string name, file, material, other_names, title;
+  std::string name, file, material, other_names, section, title;
   std::size_t position = 0;  // in the catalogue
   IndexFacts facts;
 };
+
+// "Johnson" of "main/Au/Johnson", "stainless steel" of "other/stainless_steel".
+std::string last_part(const std::string& name) {
+  std::string part = name.substr(name.rfind('/') + 1);
+  std::replace(part.begin(), part.end(), '_', ' ');
+  return part;
+}
 
 // NAMES of the nearest about.yml above a table: "Gold; Au".
 class AboutNames {
@@ -87,19 +96,20 @@ std::vector<Page> pages_of(const IndexFolder& folder) {
   AboutNames about(folder.root());
   std::vector<Page> pages;
   for (const auto& [name, file] : folder.list()) {
-    Page page{name, file, "", about.of(fs::path(file).parent_path()), "", position_of_path.size(),
-              {}};
+    Page page{
+        name, file, "", about.of(fs::path(file).parent_path()), "", "", catalogue.pages.size(), {}};
     const std::string path = fs::path(file).lexically_relative(folder.root()).generic_string();
     const auto book = books.find(name.substr(0, name.rfind('/')));
     if (book != books.end()) page.material = book->second;
     if (const auto found = page_of_path.find(path); found != page_of_path.end()) {
       if (page.material.empty()) page.material = found->second->book_title;
       page.title = found->second->page_title;
-      page.position = position_of_path.at(path);
+      page.section = found->second->section;
+      if (found->second->id == name) page.position = position_of_path.at(path);
       // "3d/crystals/diamond" says what main/C/Phillip is.
       const auto [first, last] = ids_of_path.equal_range(path);
       for (auto id = first; id != last; ++id) {
-        if (id->second != name) page.other_names += "; " + id->second;
+        if (id->second != name) page.other_names += "; " + last_part(id->second);
       }
     }
     pages.push_back(std::move(page));
@@ -109,9 +119,26 @@ std::vector<Page> pages_of(const IndexFolder& folder) {
   return pages;
 }
 
+// What a material is called, each whole name between bars: "|au|gold|" for main/Au, "Au (Gold)".
+std::string whole_names(const Page& page) {
+  const std::string book = page.name.substr(0, page.name.rfind('/'));
+  std::string names = "|", name;
+  for (const char c : last_part(book) + ";" + page.material + ";" + page.other_names + ";") {
+    if (c != ';' && c != ',' && c != '(' && c != ')') {
+      if (c != ' ' || !name.empty())
+        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      continue;
+    }
+    while (name.ends_with(' ')) name.pop_back();
+    if (!name.empty()) names += name + "|";
+    name.clear();
+  }
+  return names;
+}
+
 void insert(SqliteDatabase& database, const std::vector<Page>& pages) {
   SqliteStatement row = database.prepare(
-      "INSERT INTO pages VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14,?15)");
+      "INSERT INTO pages VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14,?15,?16)");
   SqliteStatement words = database.prepare(
       "INSERT INTO words(rowid,material,page,reference,notes) "
       "VALUES(?1,?2,?3,?4,?5)");
@@ -122,10 +149,11 @@ void insert(SqliteDatabase& database, const std::vector<Page>& pages) {
     row.bind(5, page.title).bind(6, facts.kind).bind(7, facts.form);
     row.bind(8, static_cast<std::int64_t>(facts.samples)).bind(9, facts.range.min_nm);
     row.bind(10, facts.range.max_nm).bind(11, std::int64_t{facts.metal}).bind(12, facts.reference);
-    row.bind(13, facts.comments).bind(14, facts.conditions).bind(15, facts.problem).run();
+    row.bind(13, facts.comments).bind(14, facts.conditions).bind(15, facts.problem);
+    row.bind(16, whole_names(page)).run();
     const std::string book = page.name.substr(0, page.name.rfind('/'));
     words.bind(1, id).bind(2, book + "; " + page.material + "; " + page.other_names);
-    words.bind(3, page.name + "; " + page.title).bind(4, facts.reference);
+    words.bind(3, page.name + "; " + page.title + "; " + page.section).bind(4, facts.reference);
     words.bind(5, facts.comments + "; " + facts.conditions).run();
   }
 }

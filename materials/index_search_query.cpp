@@ -1,5 +1,6 @@
 // What a folder's search database answers.
 #include <algorithm>
+#include <cctype>
 #include <unordered_map>
 
 #include "materials/index_search_folder.h"
@@ -12,7 +13,7 @@ struct Column {
   double weight;
 };
 constexpr Column kColumns[]{{"material", 8.0}, {"page", 5.0}, {"reference", 2.0}, {"notes", 1.0}};
-constexpr double kStartOnly = 0.6;
+constexpr double kStartOnly = 0.6, kWholeName = 4.0;
 
 // A word as a phrase of FTS5: whatever separates its parts, as in Cu-Zn, they must follow another.
 std::string phrase(const std::string& word) {
@@ -62,9 +63,28 @@ Scores scores_of(const SqliteDatabase& database, const std::vector<std::string>&
   return sums;
 }
 
+// For words that are all of what a material is called, singly ("gold", but not for gold-silver
+// alloy) or together ("stainless steel").
+double whole_name_bonus(const std::string& names, const std::vector<std::string>& words) {
+  const auto is_name = [&](const std::string& text) {
+    std::string sought = "|" + text + "|";
+    for (char& c : sought) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return names.find(sought) != std::string::npos;
+  };
+  double bonus = 0.0;
+  std::string all;
+  for (const std::string& word : words) {
+    bonus += is_name(word) ? kWholeName : 0.0;
+    all += (all.empty() ? "" : " ") + word;
+  }
+  return bonus > 0.0 || !is_name(all) ? bonus : kWholeName;
+}
+
 bool fits(const IndexFacts& facts, const IndexSearchQuery& query) {
+  constexpr double kRounding = 1e-12;  // of micrometres to nanometres
   return (query.kind.empty() || facts.kind == query.kind) && (!query.metal || facts.metal) &&
-         (!query.covers || facts.range.covers(*query.covers));
+         (!query.covers || facts.range.covers({query.covers->min_nm * (1.0 + kRounding),
+                                               query.covers->max_nm * (1.0 - kRounding)}));
 }
 
 }  // namespace
@@ -76,7 +96,7 @@ std::vector<IndexSearchHit> search_database(const SqliteDatabase& database,
   std::vector<IndexSearchHit> hits;
   SqliteStatement row = database.prepare(
       "SELECT id, name, file, material, title, kind, form, samples, min_nm, max_nm, metal, "
-      "reference, comments, conditions, problem FROM pages ORDER BY id");
+      "reference, comments, conditions, problem, names FROM pages ORDER BY id");
   while (row.step()) {
     const auto score = scores.find(row.integer(0));
     if (!query.words.empty() && score == scores.end()) continue;
@@ -90,8 +110,9 @@ std::vector<IndexSearchHit> search_database(const SqliteDatabase& database,
                      row.text(13),
                      row.text(14)};
     if (!fits(facts, query)) continue;
+    const double bonus = whole_name_bonus(row.text(15), query.words);
     hits.push_back({row.text(1), row.text(2), row.text(3), row.text(4), std::move(facts),
-                    score == scores.end() ? 0.0 : score->second});
+                    score == scores.end() ? 0.0 : score->second + bonus});
   }
   return hits;
 }

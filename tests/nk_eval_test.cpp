@@ -115,6 +115,7 @@ TEST_CASE("lists and ranges of wavelengths", "[nk-eval]") {
   CHECK(lines_of(karat_run({"nk", "eval", "Au/Johnson", "--nm", "400:409:2"}).out)
             .back()
             .rfind("408,", 0) == 0);
+  CHECK(karat_run({"nk", "eval", "--nm", "400,500", "Au/Johnson"}).code == 0);
   for (const char* wrong : {"", "400:", "400:500", "500:400:10", "400:500:0", "400:500:-1",
                             "400:500:1e-9", "1:2:3:4", "inf", "0", "-5", "400;500"}) {
     INFO(wrong);

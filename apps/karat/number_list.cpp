@@ -66,6 +66,7 @@ CLI::Option* add_number_list(CLI::App& command, const std::string& name,
   };
   return command.add_option_function<std::vector<std::string>>(name, parse, description)
       ->delimiter(',')
+      ->allow_extra_args(false)  // so that a name may follow
       ->type_name("NUMBERS");
 }
 

@@ -29,7 +29,7 @@ CLI::Validator name_check(const std::string& what, std::vector<std::string> (*na
 ColourConditions ColourOptions::conditions() const {
   // The cosine of 90 degrees is 0, which rounding would miss.
   const double cosine = angle_deg == 90.0 ? 0.0 : std::cos(angle_deg * std::numbers::pi / 180.0);
-  return {illuminant, observer, cosine, clamp ? RangePolicy::kClamp : RangePolicy::kError};
+  return {illuminant, observer, cosine, "exact", clamp ? RangePolicy::kClamp : RangePolicy::kError};
 }
 
 std::string ColourOptions::text() const {
@@ -57,7 +57,7 @@ void add_colour_options(CLI::App& command, ColourOptions& options) {
 
 nlohmann::json colour_json(const IndexColour& colour, const ColourOptions& options) {
   Rgb encoded = colour.linear_srgb;
-  for (double& x : encoded) x = srgb_encode(std::clamp(x, 0.0, 1.0));
+  for (double& x : encoded) x = x >= 1.0 ? 1.0 : srgb_encode(std::max(x, 0.0));
   return {{"illuminant", options.illuminant},
           {"observer", options.observer},
           {"angle_deg", options.angle_deg},

@@ -27,8 +27,11 @@ struct Options {
   std::vector<double> wavelengths_nm;
   ColourOptions colour;
   std::string picture;
+  bool models = false;
   bool as_json = false;
 };
+
+constexpr double kModelAngles[]{45.0, 60.0, 75.0, 85.0};
 
 // Every table that one of the words means, once each. A file that is no table is left out with a
 // note: it hides none of the others.
@@ -71,6 +74,14 @@ json table_json(const ComparedTable& compared, const Options& options) {
   return row;
 }
 
+json models_json(const IndexTable& table, const Options& options) {
+  const std::vector<double> angles(std::begin(kModelAngles), std::end(kModelAngles));
+  json result = {{"table", table.provenance().name}, {"angle_deg", angles}};
+  for (const auto& model : model_differences(table, options.colour.conditions(), angles))
+    result["ciede2000"][model.model] = model.ciede2000;
+  return result;
+}
+
 json comparison_json(const IndexComparison& comparison, const Options& options) {
   const auto& tables = comparison.tables();
   json result = {{"materials", options.materials},
@@ -89,6 +100,7 @@ json comparison_json(const IndexComparison& comparison, const Options& options) 
   }
   if (const auto summary = comparison.summary()) {
     const auto name = [&](std::size_t i) { return tables[i].table->provenance().name; };
+    if (options.models) result["models"] = models_json(*tables[summary->typical].table, options);
     result["summary"] = {{"pairs", summary->pairs},
                          {"median", summary->median},
                          {"largest", summary->largest},
@@ -156,16 +168,42 @@ void print_summary(const json& summary) {
       summary["typical_mean"].get<double>());
 }
 
+void print_models(const json& models) {
+  fmt::print("\nFresnel models against the exact equations, CIEDE2000 for {}\n{:<24}",
+             models["table"].get<std::string>(), "");
+  for (const double angle : kModelAngles) fmt::print("{:>6g}\u00b0", angle);
+  fmt::print("\n");
+  for (const auto& [name, differences] : models["ciede2000"].items()) {
+    fmt::print("{:<24}", name);
+    for (const json& difference : differences) fmt::print("{:>7.2f}", difference.get<double>());
+    fmt::print("\n");
+  }
+}
+
 std::string range_text(WavelengthRange range) {
-  return fmt::format("{:.4g} to {:.4g} nm", range.min_nm, range.max_nm);
+  return fmt::format("{:.6g} to {:.6g} nm", range.min_nm, range.max_nm);
+}
+
+// "main/Au/" where all names begin so: the patches need not say it again.
+std::string common_folder(const IndexComparison& comparison) {
+  std::string folder = comparison.tables().front().table->provenance().name;
+  folder.erase(folder.rfind('/') + 1);
+  for (const ComparedTable& compared : comparison.tables()) {
+    if (!compared.table->provenance().name.starts_with(folder)) return "";
+  }
+  return folder;
 }
 
 void write_picture(const IndexComparison& comparison, const Options& options) {
   const auto summary = comparison.summary();
+  const std::string folder = common_folder(comparison);
   std::vector<Swatch> swatches;
   for (std::size_t i = 0; i < comparison.tables().size(); ++i) {
     const ComparedTable& compared = comparison.tables()[i];
-    Swatch swatch{compared.colour.has_value(), {}, compared.table->provenance().name, {}};
+    Swatch swatch{compared.colour.has_value(),
+                  {},
+                  compared.table->provenance().name.substr(folder.size()),
+                  {}};
     if (compared.colour) {
       swatch.linear_srgb = compared.colour->linear_srgb;
       swatch.lines.push_back(fmt::format("Y {:.3f}", compared.colour->xyz[1]));
@@ -178,6 +216,8 @@ void write_picture(const IndexComparison& comparison, const Options& options) {
                              range_text(compared.table->range()));
     swatches.push_back(std::move(swatch));
   }
+  std::stable_partition(swatches.begin(), swatches.end(),
+                        [](const Swatch& swatch) { return swatch.has_colour; });
   std::string small_print = options.colour.text();
   if (summary)
     small_print += fmt::format("; Y luminance, \u0394E CIEDE2000 from {}",
@@ -198,6 +238,7 @@ int run_compare(const Options& options) {
   print_tables(result, options);
   print_differences(comparison);
   print_summary(result["summary"]);
+  if (result.contains("models")) print_models(result["models"]);
   return 0;
 }
 
@@ -218,6 +259,9 @@ class NkCompare final : public Command {
           const bool known = file.ends_with(".png") || file.ends_with(".svg");
           return known ? "" : "found \"" + file + "\", allowed: a file ending in .png or .svg";
         });
+    compare->add_flag("--models", options->models,
+                      "Also how far each Fresnel model is from the exact one for the most typical "
+                      "table, at 45, 60, 75 and 85 degrees");
     compare->add_flag("--json", options->as_json, "Machine-readable output");
     compare->footer(
         "Ranges, reflectances, colours, and the colour difference CIEDE2000 between each pair; "

@@ -41,10 +41,15 @@ class Drawing {
     cairo_paint(context_.get());
   }
 
-  void text(const std::string& text, double x, double y, double size, bool bold, double grey) {
+  // Text that is wider than `widest` is set smaller.
+  void text(const std::string& text, double x, double y, double size, bool bold, double grey,
+            double widest) {
     cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context_.get(), size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context_.get(), text.c_str(), &extents);
+    if (extents.width > widest) cairo_set_font_size(context_.get(), size * widest / extents.width);
     cairo_set_source_rgb(context_.get(), grey, grey, grey);
     cairo_move_to(context_.get(), x, y);
     cairo_show_text(context_.get(), text.c_str());
@@ -65,10 +70,10 @@ class Drawing {
       hatch(x, y);
     }
     const double top = y + kHeight - 10.0 - kLineHeight * static_cast<double>(swatch.lines.size());
-    text(swatch.name, x + 10.0, top, kTextSize, true, text_grey);
+    text(swatch.name, x + 10.0, top, kTextSize, true, text_grey, kWidth - 16.0);
     for (std::size_t i = 0; i < swatch.lines.size(); ++i) {
       text(swatch.lines[i], x + 10.0, top + kLineHeight * static_cast<double>(i + 1), kTextSize,
-           false, text_grey);
+           false, text_grey, kWidth - 16.0);
     }
   }
 
@@ -105,14 +110,14 @@ double common_exposure(const std::vector<Swatch>& swatches) {
 
 void draw(Drawing& drawing, const Grid& grid, const std::string& heading,
           const std::string& small_print, const std::vector<Swatch>& swatches) {
-  const double exposure = common_exposure(swatches);
+  const double exposure = common_exposure(swatches), widest = grid.width() - 2 * kMargin;
   drawing.background();
-  drawing.text(heading, kMargin, kMargin + 16.0, 20.0, true, 0.0);
+  drawing.text(heading, kMargin, kMargin + 16.0, 20.0, true, 0.0, widest);
   drawing.text(small_print + (exposure < 1.0 ? fmt::format("; shown at {:.3f} of their brightness, "
                                                            "so that no channel exceeds 1",
                                                            exposure)
                                              : ""),
-               kMargin, kMargin + 40.0, 13.0, false, 0.25);
+               kMargin, kMargin + 40.0, 13.0, false, 0.25, widest);
   for (std::size_t i = 0; i < swatches.size(); ++i) {
     drawing.swatch(swatches[i], exposure, kMargin + kWidth * static_cast<double>(i % grid.columns),
                    kMargin + kHead + kHeight * static_cast<double>(i / grid.columns));

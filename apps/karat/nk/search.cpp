@@ -55,22 +55,35 @@ void print_json_result(const IndexSearchResult& result, std::size_t limit) {
   json rows = json::array();
   for (std::size_t i = 0; i < std::min(limit, result.hits.size()); ++i)
     rows.push_back(hit_json(result.hits[i]));
-  print_json(json{{"found", result.hits.size()}, {"tables", rows}});
+  print_json(rows);
 }
 
 std::string samples_text(const IndexFacts& facts) {
   return facts.samples > 0 ? fmt::format("{} rows", facts.samples) : facts.form.substr(0, 9);
 }
 
+// "(1972)" where a citation has it, as most do at their end.
+std::string year_of(const std::string& reference) {
+  for (std::size_t at = reference.rfind('('); at != std::string::npos && at > 0;
+       at = reference.rfind('(', at - 1)) {
+    const std::string year = reference.substr(at, 6);
+    if (year.size() == 6 && year[5] == ')' &&
+        year.find_first_not_of("0123456789", 1) == std::size_t{5})
+      return year;
+  }
+  return "";
+}
+
 // What the catalogue says of a page, or where there is none, the start of its reference.
 std::string title_text(const IndexSearchHit& hit) {
-  constexpr std::size_t kLongest = 60;
+  const std::string year = hit.title.empty() ? year_of(hit.facts.reference) : "";
+  const std::size_t longest = 60 - year.size();
   std::string text = hit.title.empty() ? hit.facts.reference : hit.title;
   if (!hit.facts.problem.empty() && hit.facts.kind != "k") text = hit.facts.problem;
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest - 3;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest - 3;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
-  return text.substr(0, end) + "...";
+  return text.substr(0, end) + "... " + year;
 }
 
 void print_hits(const IndexSearchResult& result, std::size_t limit) {
