@@ -48,7 +48,9 @@ void explain(const std::vector<std::string>& words, const std::vector<std::strin
     for (const std::string& folder : folders) {
       with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
         known = known || has_word(database, word);
-        if (!known) others = all_words(database);
+        if (known) return;
+        const std::vector<std::string> more = all_words(database);
+        others.insert(others.end(), more.begin(), more.end());
       });
     }
     if (known) continue;
