@@ -67,7 +67,8 @@ Scores scores_of(const SqliteDatabase& database, const std::vector<std::string>&
 // alloy) or together ("stainless steel").
 double whole_name_bonus(const std::string& names, const std::vector<std::string>& words) {
   const auto is_name = [&](const std::string& text) {
-    std::string sought = "|" + text + "|";
+    std::string sought(1, '|');
+    sought.append(text).push_back('|');
     for (char& c : sought) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return names.find(sought) != std::string::npos;
   };

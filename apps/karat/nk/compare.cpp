@@ -117,7 +117,7 @@ void print_tables(const json& result, const Options& options) {
     width = std::max(width, row["name"].get<std::string>().size());
   fmt::print("{}\n{:>3}  {:<{}}  {:>8} {:>8}", options.colour.text(), "", "name", width, "from nm",
              "to nm");
-  for (const double nm : options.wavelengths_nm) fmt::print("  F0 {:>5g}", nm);
+  for (const double nm : options.wavelengths_nm) fmt::print("  {:>8}", fmt::format("F0 {:g}", nm));
   fmt::print("       Y  sRGB\n");
   int number = 0;
   for (const json& row : result["tables"]) {
