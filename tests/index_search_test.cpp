@@ -282,7 +282,7 @@ TEST_CASE("the whole database is searched in less than 0.3 s", "[index][index-se
   const Workplace work;
   setenv("KARAT_NK_PATH", kDatabase.c_str(), 1);
   CHECK(search({"gold"}).hits.size() > 50);  // builds the index
-  double best = 1e9;  // of processor time: other programs may be running
+  double best = 1e9;                         // of processor time: other programs may be running
   for (int i = 0; i < 5; ++i) {
     const std::clock_t start = std::clock();
     CHECK(has(search({"gold", "olmon"}), "main/Au/Olmon-ev"));
