@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "materials/index_catalogue.h"
 #include "materials/index_search_folder.h"
@@ -39,21 +40,22 @@ void with_database(const std::string& folder, std::string& problem,
   use(rebuilt(folder, fingerprint, problem));
 }
 
-// What the words had to look like to be found: the first that no table has, and its neighbour.
+// Why nothing was found: the first word that no table has, and its neighbour.
 void explain(const std::vector<std::string>& words, const std::vector<std::string>& folders,
              IndexSearchResult& result) {
+  std::set<std::string> known;
+  std::vector<std::string> others;
+  for (const std::string& folder : folders) {
+    with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
+      for (const std::string& word : words) {
+        if (has_word(database, word)) known.insert(word);
+      }
+      const std::vector<std::string> more = all_words(database);
+      others.insert(others.end(), more.begin(), more.end());
+    });
+  }
   for (const std::string& word : words) {
-    bool known = false;
-    std::vector<std::string> others;
-    for (const std::string& folder : folders) {
-      with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
-        known = known || has_word(database, word);
-        if (known) return;
-        const std::vector<std::string> more = all_words(database);
-        others.insert(others.end(), more.begin(), more.end());
-      });
-    }
-    if (known) continue;
+    if (known.count(word) > 0) continue;
     result.unknown_word = word;
     result.nearest_word = nearest_name(word, others);
     return;

@@ -83,7 +83,8 @@ std::string title_text(const IndexSearchHit& hit) {
   if (text.size() <= longest) return text;
   std::size_t end = longest - 3;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
-  return text.substr(0, end) + "... " + year;
+  text = text.substr(0, end) + "...";
+  return year.empty() ? text : text + " " + year;
 }
 
 void print_hits(const IndexSearchResult& result, std::size_t limit) {
