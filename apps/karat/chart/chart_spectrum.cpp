@@ -1,0 +1,45 @@
+// A strip of the visible spectrum's colours along a wavelength axis.
+#include <algorithm>
+#include <cmath>
+
+#include "apps/karat/chart/parts.h"
+#include "spectral/colour.h"
+#include "spectral/observer.h"
+
+namespace karat {
+namespace {
+
+// Monochromatic light lies outside every display's gamut: white is added until no channel is
+// negative, and the brightness of all is raised evenly, and the ends of the spectrum
+// fade to the paper's white.
+Colour spectral_colour(const Observer& observer, double nm) {
+  const Xyz xyz = {observer[0](nm), observer[1](nm), observer[2](nm)};
+  Rgb rgb = linear_srgb_of_xyz(xyz);
+  const double least = std::min({0.0, rgb[0], rgb[1], rgb[2]});
+  for (double& channel : rgb) channel -= least;
+  const double largest = std::max({rgb[0], rgb[1], rgb[2], 1e-9});
+  const double fade = std::min(1.0, std::sqrt((xyz[0] + xyz[1] + xyz[2]) / 0.25));
+  for (double& channel : rgb) channel = 1.0 - fade * (1.0 - srgb_encode(channel / largest));
+  return {rgb[0], rgb[1], rgb[2], 1.0};
+}
+
+}  // namespace
+
+void draw_spectrum_strip(Canvas& canvas, const PlacedPanel& placed) {
+  constexpr double kHeight = 5.0, kFirst = 380.0, kLast = 780.0;
+  const Observer& eye = observer();
+  const double low = std::max(kFirst, placed.x.min), high = std::min(kLast, placed.x.max);
+  if (!(high > low)) return;
+  const double left = placed.x.pixel(low), right = placed.x.pixel(high);
+  const int count = std::clamp(static_cast<int>(right - left), 1, 200);
+  std::vector<Colour> colours;
+  for (int i = 0; i < count; ++i) {
+    const double share = (i + 0.5) / count;
+    const double nm = placed.x.log ? low * std::pow(high / low, share) : low + (high - low) * share;
+    colours.push_back(spectral_colour(eye, nm));
+  }
+  canvas.cells({left, placed.box.bottom() - kHeight, right - left, kHeight}, colours.size(),
+               colours);
+}
+
+}  // namespace karat
