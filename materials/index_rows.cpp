@@ -31,6 +31,11 @@ class RowsCurve final : public Spectrum {
   }
   WavelengthRange range() const override { return {nm_.front(), nm_.back()}; }
   std::string description() const override { return fmt::format("table of {} rows", nm_.size()); }
+  std::vector<SpectrumSample> samples() const override {
+    std::vector<SpectrumSample> rows;
+    for (std::size_t i = 0; i < nm_.size(); ++i) rows.push_back({nm_[i], values_[i]});
+    return rows;
+  }
 
  private:
   // The last row that starts at or below nm; nm is not below the first.

@@ -28,6 +28,10 @@ class SpectralIndex final : public IndexTable {
   }
   WavelengthRange range() const override { return range_; }
   bool has_k() const override { return k_ != nullptr; }
+  std::vector<SpectrumSample> n_samples() const override { return n_->samples(); }
+  std::vector<SpectrumSample> k_samples() const override {
+    return k_ ? k_->samples() : std::vector<SpectrumSample>();
+  }
   const Provenance& provenance() const override { return provenance_; }
   const std::vector<std::string>& warnings() const override { return warnings_; }
 

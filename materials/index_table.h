@@ -38,6 +38,11 @@ class IndexTable {
   // False where the source lists n alone; k is 0 then.
   virtual bool has_k() const = 0;
 
+  // What was measured: the rows of n and those of k, which may reach beyond the joint range and
+  // differ in their wavelengths. None where a formula, a constant or a mixture gives the values.
+  virtual std::vector<SpectrumSample> n_samples() const { return {}; }
+  virtual std::vector<SpectrumSample> k_samples() const { return {}; }
+
   virtual const Provenance& provenance() const = 0;
 
   // Problems of the data that do not prevent its use ("duplicate wavelength 0.45 um at row 7").

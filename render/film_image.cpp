@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "materials/index_interpolation.h"
 #include "render/version.h"
 #include "spectral/colour.h"
 
@@ -141,6 +142,7 @@ void add_provenance(Image& image, const Scene& scene, int samples, const RunFact
   std::vector<std::string> tables;
   for (const auto& table : scene.tables) tables.push_back(table.name + ": " + table.reference);
   text["karat:tables"] = lines(tables);
+  text["karat:interpolation"] = description_of(interpolation_named(settings.interpolation));
   text["karat:warnings"] = lines(scene.warnings);
   number["karat:spp"] = samples;
   if (facts) {

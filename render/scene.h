@@ -25,13 +25,14 @@ struct RenderSettings {
   Crop crop{0, 0, 512, 512};
   int spp = 16;
   std::uint32_t seed = 0;
-  std::string sampler = "sobol";      // or "independent"
-  std::string integrator = "path";    // name in the Registry<Integrator>
-  int max_depth = 16;                 // scattering events along a path
-  std::string observer = "cie1931";   // or "cie1964"
-  std::string white = "D65";          // "D65", "E", a temperature in kelvin, or "none"
-  std::vector<std::string> channels;  // feature channels ("albedo", "normal", ...)
-  int spectral_bins = 0;              // 0: no spectral image
+  std::string sampler = "sobol";         // or "independent"
+  std::string integrator = "path";       // name in the Registry<Integrator>
+  int max_depth = 16;                    // scattering events along a path
+  std::string observer = "cie1931";      // or "cie1964"
+  std::string white = "D65";             // "D65", "E", a temperature in kelvin, or "none"
+  std::string interpolation = "linear";  // of index tables, or "monotone-cubic"
+  std::vector<std::string> channels;     // feature channels ("albedo", "normal", ...)
+  int spectral_bins = 0;                 // 0: no spectral image
 };
 
 struct Scene {

@@ -13,9 +13,10 @@
 namespace karat {
 namespace {
 
-const std::vector<std::string> kSections{
-    "$schema",  "wavelengths", "observer",  "white",  "extrapolate", "camera",    "film",
-    "sampling", "integrator",  "materials", "shapes", "groups",      "instances", "lights"};
+const std::vector<std::string> kSections{"$schema",     "wavelengths",   "observer",  "white",
+                                         "extrapolate", "interpolation", "camera",    "film",
+                                         "sampling",    "integrator",    "materials", "shapes",
+                                         "groups",      "instances",     "lights"};
 
 void require_fresnel(const std::string& name) {
   const auto& registry = Registry<FresnelModel>::instance();
@@ -68,9 +69,13 @@ Scene build_scene(const Json& json, const std::string& name, const std::string& 
   require_white(document, scene.settings);
   require_fresnel(overrides.fresnel);
   scene.content_hash = content_hash(json, scene.settings, overrides);
-  const ReadContext context{
-      directory,       scene.lattice.range(), read_range_policy(document), scene.settings.observer,
-      &scene.warnings, &scene.tables};
+  const ReadContext context{directory,
+                            scene.lattice.range(),
+                            read_range_policy(document),
+                            scene.settings.observer,
+                            &scene.warnings,
+                            &scene.tables,
+                            interpolation_named(scene.settings.interpolation)};
   SceneBuilder(scene, context, overrides.fresnel).build(document);
   if (const auto violation = schema_violation(json); !violation.empty()) {
     throw InputError(name, "", "does not conform to the schema: " + violation);

@@ -6,6 +6,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "materials/index_interpolation.h"
 #include "materials/material.h"
 #include "render/camera.h"
 #include "render/integrator.h"
@@ -181,6 +182,9 @@ Json properties() {
                           any_of({{{"type", "string"}}, number(500, 100000)}))},
       {"extrapolate", described("What happens where a table does not cover the wavelengths.",
                                 {{"enum", {"error", "clamp"}}})},
+      {"interpolation", described("How index tables are read between their samples: linear in "
+                                  "wavelength on n and k (default), or a monotone cubic.",
+                                  {{"enum", interpolation_names()}})},
       {"camera", reference("camera")},
       {"film", film_schema()},
       {"sampling", object({{"spp", integer(1, kMaxSpp)},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "materials/index_interpolation.h"
 #include "render/integrator.h"
 #include "spectral/observer.h"
 #include "spectral/support/error.h"
@@ -173,6 +174,10 @@ RenderSettings read_settings(const JsonValue& scene, const SceneOverrides& overr
     const JsonValue white = scene.member("white");
     settings.white = white.json().is_number() ? fmt::format("{}", white.number({500.0, 100000.0}))
                                               : white.string();
+  }
+  if (scene.has("interpolation")) {
+    settings.interpolation =
+        scene.member("interpolation").choice("interpolation", interpolation_names());
   }
   read_channels(overrides, settings);
   require_memory(scene, settings);

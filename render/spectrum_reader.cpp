@@ -238,8 +238,9 @@ IndexTablePtr read_index(const JsonValue& value, const ReadContext& context) {
   if (!value.json().is_string() && !value.json().is_object()) {
     value.fail_found("the name of a table as \"main/Au/Johnson\", a number n, or {\"eta\", \"k\"}");
   }
-  const IndexTablePtr table =
-      value.json().is_string() ? named_index(value, context) : inline_index(value, context);
+  const IndexTablePtr table = interpolated(
+      value.json().is_string() ? named_index(value, context) : inline_index(value, context),
+      context.interpolation);
   require_index_coverage(*table, value, context);
   for (const auto& warning : table->warnings()) {
     context.warnings->push_back(table->provenance().name + ": " + warning);

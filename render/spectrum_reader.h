@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/index_interpolation.h"
 #include "materials/index_table.h"
 #include "render/scene_json.h"
 #include "spectral/spectrum.h"
@@ -18,6 +19,7 @@ struct ReadContext {
   std::string observer = "cie1931";
   std::vector<std::string>* warnings = nullptr;  // never null
   std::vector<Provenance>* tables = nullptr;     // never null; every index table read, once each
+  Interpolation interpolation = Interpolation::kLinear;  // of index tables
 };
 
 // The path, absolute, of a file named in a scene; fails where there is no such file.

@@ -66,6 +66,11 @@ class TableSpectrum final : public Spectrum {
 
   WavelengthRange range() const override { return {nm_.front(), nm_.back()}; }
   std::string description() const override { return description_; }
+  std::vector<SpectrumSample> samples() const override {
+    std::vector<SpectrumSample> rows;
+    for (std::size_t i = 0; i < nm_.size(); ++i) rows.push_back({nm_[i], values_[i]});
+    return rows;
+  }
 
  private:
   std::vector<double> nm_, values_;
@@ -104,6 +109,11 @@ class ScaledSpectrum final : public Spectrum {
   WavelengthRange range() const override { return spectrum_->range(); }
   std::string description() const override {
     return fmt::format("{:g} x {}", factor_, spectrum_->description());
+  }
+  std::vector<SpectrumSample> samples() const override {
+    std::vector<SpectrumSample> rows = spectrum_->samples();
+    for (SpectrumSample& row : rows) row.value *= factor_;
+    return rows;
   }
 
  private:

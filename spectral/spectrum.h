@@ -13,6 +13,12 @@
 
 namespace karat {
 
+// A row of a table, as its source lists it.
+struct SpectrumSample {
+  double nm = 0.0;
+  double value = 0.0;
+};
+
 class Spectrum {
  public:
   virtual ~Spectrum() = default;
@@ -29,6 +35,10 @@ class Spectrum {
 
   // The mean over an interval. Tables override this with the exact integral of their segments.
   virtual double mean(WavelengthRange interval) const;
+
+  // The rows behind the spectrum: wavelengths do not decrease, and where one is repeated the value
+  // jumps. None for what is not a table.
+  virtual std::vector<SpectrumSample> samples() const { return {}; }
 };
 
 using SpectrumPtr = std::shared_ptr<const Spectrum>;

@@ -2,6 +2,7 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -72,12 +73,16 @@ class CairoCanvas final : public Canvas {
     cairo_save(c_);
     cairo_set_antialias(c_, CAIRO_ANTIALIAS_NONE);
     const std::size_t rows = columns == 0 ? 0 : colours.size() / columns;
+    // Edges at whole pixels of the file: no seam, and no cell over its neighbour.
+    const double width = box.width / static_cast<double>(columns);
+    const double height = box.height / static_cast<double>(rows);
     for (std::size_t i = 0; i < rows * columns; ++i) {
-      const double width = box.width / static_cast<double>(columns);
-      const double height = box.height / static_cast<double>(rows);
-      rectangle({box.left + width * static_cast<double>(i % columns),
-                 box.top + height * static_cast<double>(i / columns), width, height},
-                colours[i]);
+      double left = box.left + width * static_cast<double>(i % columns);
+      double top = box.top + height * static_cast<double>(i / columns);
+      double right = left + width, bottom = top + height;
+      snap(left, top);
+      snap(right, bottom);
+      rectangle({left, top, right - left, bottom - top}, colours[i]);
     }
     cairo_restore(c_);
   }
@@ -93,6 +98,11 @@ class CairoCanvas final : public Canvas {
  private:
   void set(const Colour& colour) {
     cairo_set_source_rgba(c_, colour.red, colour.green, colour.blue, colour.alpha);
+  }
+  void snap(double& x, double& y) {
+    cairo_user_to_device(c_, &x, &y);
+    x = std::round(x), y = std::round(y);
+    cairo_device_to_user(c_, &x, &y);
   }
   void trace(const std::vector<Point>& points) {
     cairo_new_path(c_);

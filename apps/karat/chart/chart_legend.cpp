@@ -21,14 +21,17 @@ std::vector<const Series*> entries_of(const Chart& chart) {
   return entries;
 }
 
+// Markers alone need less room than a line.
+double sample_width(const Series& series) { return series.width > 0.0 ? kSample : 10.0; }
+
 void draw_entry(Canvas& canvas, const Series& series, double x, double y) {
   const double middle = y - 0.35 * kSize;
   if (series.width > 0.0) {
     canvas.line({{x, middle}, {x + kSample, middle}}, {series.colour, series.width, series.dash});
   }
-  draw_marker(canvas, series.marker, {x + 0.5 * kSample, middle}, series.marker_size,
-              series.colour);
-  canvas.text({x + kSample + 6.0, y}, series.name, {kSize});
+  const double sample = sample_width(series);
+  draw_marker(canvas, series.marker, {x + 0.5 * sample, middle}, series.marker_size, series.colour);
+  canvas.text({x + sample + 6.0, y}, series.name, {kSize});
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ double draw_legend(Canvas* canvas, const Chart& chart, double left, double top, 
   if (entries.empty()) return 0.0;
   double x = left, y = top + 13.0;
   for (const Series* series : entries) {
-    const double needed = kSample + 6.0 + text_width(series->name, {kSize});
+    const double needed = sample_width(*series) + 6.0 + text_width(series->name, {kSize});
     if (x > left && x + needed > left + width) x = left, y += kLineHeight;
     if (canvas) draw_entry(*canvas, *series, x, y);
     x += needed + kGap;

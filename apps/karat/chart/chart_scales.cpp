@@ -54,17 +54,16 @@ Scale scale_of(const Axis& axis, Extent extent, double room) {
 Scale scale_of_x(const std::vector<const Panel*>& panels) {
   const Axis& axis = panels.front()->x;
   Extent extent;
-  bool points_alone = true;
+  bool points = false;
   for (const Panel* panel : panels) {
     for (const Series& series : panel->series) {
       for (const double x : series.x) extent.hold(x, axis.log);
-      points_alone = points_alone && !(series.width > 0.0);
+      points = points || !(series.width > 0.0);
     }
     if (!panel->map) continue;
-    points_alone = false;
     for (const double x : panel->map->x_range) extent.hold(x, axis.log);
   }
-  return scale_of(axis, extent, points_alone ? 0.06 : 0.0);
+  return scale_of(axis, extent, points ? 0.06 : 0.0);
 }
 
 Scale scale_of_y(const std::vector<const Panel*>& panels, const Scale& x) {

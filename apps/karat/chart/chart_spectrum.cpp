@@ -9,17 +9,16 @@
 namespace karat {
 namespace {
 
-// Monochromatic light lies outside every display's gamut: white is added until no channel is
-// negative, and the brightness of all is raised evenly, and the ends of the spectrum
-// fade to the paper's white.
-Colour spectral_colour(const Observer& observer, double nm) {
-  const Xyz xyz = {observer[0](nm), observer[1](nm), observer[2](nm)};
+// Monochromatic light lies outside every display's gamut: negative channels are cut off, the
+// brightest is raised to 1, and the ends of the spectrum fade to the paper's white.
+Colour spectral_colour(const Observer& eye, double nm) {
+  const Xyz xyz = {eye[0](nm), eye[1](nm), eye[2](nm)};
   Rgb rgb = linear_srgb_of_xyz(xyz);
-  const double least = std::min({0.0, rgb[0], rgb[1], rgb[2]});
-  for (double& channel : rgb) channel -= least;
   const double largest = std::max({rgb[0], rgb[1], rgb[2], 1e-9});
-  const double fade = std::min(1.0, std::sqrt((xyz[0] + xyz[1] + xyz[2]) / 0.25));
-  for (double& channel : rgb) channel = 1.0 - fade * (1.0 - srgb_encode(channel / largest));
+  const double strength = std::min(1.0, std::sqrt((xyz[0] + xyz[1] + xyz[2]) / 0.25));
+  for (double& channel : rgb) {
+    channel = 1.0 - strength * (1.0 - srgb_encode(std::max(0.0, channel / largest)));
+  }
   return {rgb[0], rgb[1], rgb[2], 1.0};
 }
 

@@ -10,7 +10,7 @@
 namespace karat {
 
 inline constexpr double kTickSize = 10.5, kAxisSize = 11.5;  // letters in pixels
-inline constexpr double kTickSpacingX = 58.0, kTickSpacingY = 34.0;
+inline constexpr double kTickSpacingX = 58.0, kTickSpacingY = 26.0;
 inline constexpr double kMapBarWidth = 74.0;  // what a map's colour bar takes right of the panel
 
 // A panel with its place and its scales.

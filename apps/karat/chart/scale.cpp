@@ -16,9 +16,12 @@ std::string with_minus(std::string text) {
   return text;
 }
 
-// 10 to an integer power, as text: 0.001 ... 10000, beyond that with a raised exponent.
-std::string power_text(int exponent) {
-  if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", std::pow(10.0, exponent));
+// Whether an axis is named in decimals throughout, or with powers of ten throughout.
+bool in_decimals(double low, double high) { return low >= -3.0 - 1e-9 && high < 5.0; }
+
+// 10 to an integer power, as text.
+std::string power_text(int exponent, bool decimals) {
+  if (decimals) return fmt::format("{:g}", std::pow(10.0, exponent));
   static const char* const kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
   for (const char digit : fmt::format("{}", std::abs(exponent))) text += kRaised[digit - '0'];
@@ -53,6 +56,7 @@ std::vector<Tick> log_ticks(const Scale& scale, double spacing) {
   const double decade = std::abs(scale.to_pixel - scale.from_pixel) / (high - low);
   if (high - low < 0.7) return linear_ticks(scale, spacing);
   const int skip = std::max(1, static_cast<int>(std::ceil(spacing / decade)));
+  const bool decimals = in_decimals(low, high);
   const bool between = decade > 3.4 * spacing;
   std::vector<Tick> ticks;
   for (int e = static_cast<int>(std::floor(low)); e <= static_cast<int>(std::floor(high)); ++e) {
@@ -60,10 +64,10 @@ std::vector<Tick> log_ticks(const Scale& scale, double spacing) {
       const double value = digit * std::pow(10.0, e);
       if (value < scale.min * (1 - 1e-9) || value > scale.max * (1 + 1e-9)) continue;
       std::string text;
-      if (digit == 1 && e % skip == 0) text = power_text(e);
+      if (digit == 1 && e % skip == 0) text = power_text(e, decimals);
       if (between && (digit == 2 || digit == 5)) {
-        text = e >= -3 && e <= 4 ? fmt::format("{:g}", value)
-                                 : fmt::format("{}·{}", digit, power_text(e));
+        text = decimals ? fmt::format("{:g}", value)
+                        : fmt::format("{}·{}", digit, power_text(e, false));
       }
       if (digit == 1 || decade > 40.0 || !text.empty()) ticks.push_back({value, text});
     }
