@@ -145,7 +145,7 @@ void place_panels(const Chart& chart, std::vector<PlacedPanel>& placed, const Bo
 void draw_panel(Canvas& canvas, const PlacedPanel& placed) {
   draw_background(canvas, placed);
   draw_map(canvas, placed);
-  if (placed.panel->spectrum_strip) draw_spectrum_strip(canvas, placed);
+  if (placed.panel->spectrum_unit_nm > 0.0) draw_spectrum_strip(canvas, placed);
   canvas.clipped(placed.box, [&] { draw_lines(canvas, placed); });
   draw_labels(canvas, placed);
   draw_axes(canvas, placed);

@@ -20,7 +20,7 @@ struct Colour {
 Colour series_colour(std::size_t index);
 
 enum class Dash { kSolid, kDashed, kDotted, kDashDotted };
-enum class Marker { kNone, kCircle, kSquare, kTriangle, kDiamond, kCross };
+enum class Marker { kNone, kCircle, kSquare, kTriangle, kDiamond, kCross, kBar };
 
 // Values over an axis. A value that is not finite, or not positive on a logarithmic axis, is a gap.
 struct Series {
@@ -82,11 +82,14 @@ struct Panel {
   std::vector<Band> bands;
   std::vector<Rule> rules;
   std::optional<HeatMap> map;
-  bool spectrum_strip = false;  // x is in nm: the visible spectrum's colours along the axis
+  // Above 0: x is a wavelength in units of so many nm, and the colours of the visible spectrum run
+  // along the axis.
+  double spectrum_unit_nm = 0.0;
 };
 
 // Panels row by row, `columns` in each. The legend stands above them, the caption below: neither
-// covers data. Lines that are too long are broken. Text is UTF-8.
+// covers data. Lines that are too long are broken, others where a
+// newline stands. Text is UTF-8; bytes that are not are replaced.
 struct Chart {
   std::string title;
   std::string subtitle;

@@ -50,10 +50,14 @@ class Canvas {
   virtual void clipped(const Box& box, const std::function<void()>& draw) = 0;
 };
 
+// The text with bytes that are not UTF-8 replaced: neither fonts nor XML know them.
+std::string valid_utf8(const std::string& text);
+
 // Width of a text in pixels.
 double text_width(const std::string& text, const TextStyle& style);
 
-// `text` in lines no wider than `width`, broken at blanks; a longer word stands alone.
+// `text` in lines no wider than `width`, broken at newlines and
+// blanks; a longer word stands alone.
 std::vector<std::string> broken_lines(const std::string& text, const TextStyle& style,
                                       double width);
 

@@ -65,7 +65,7 @@ class CairoCanvas final : public Canvas {
                                                       : 0.5;
     cairo_move_to(c_, -share * text_width(text, style), 0.0);
     set(style.colour);
-    cairo_show_text(c_, text.c_str());
+    cairo_show_text(c_, valid_utf8(text).c_str());
     cairo_restore(c_);
   }
 

@@ -20,7 +20,7 @@ std::string number(double value) {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {
@@ -86,6 +86,7 @@ class SvgCanvas final : public Canvas {
   }
 
   void text(Point at, const std::string& text, const TextStyle& style) override {
+    if (text.empty()) return;
     std::string more;
     if (style.bold) more += " font-weight=\"bold\"";
     if (style.align == Align::kMiddle) more += " text-anchor=\"middle\"";

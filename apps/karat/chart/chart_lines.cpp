@@ -68,6 +68,8 @@ void draw_marker(Canvas& canvas, Marker marker, Point at, double size, const Col
       return canvas.polygon(regular(at, 1.25 * r, 3, -90.0), colour);
     case Marker::kDiamond:
       return canvas.polygon(regular(at, 1.25 * r, 4, -90.0), colour);
+    case Marker::kBar:
+      return canvas.line({{at.x, at.y - r}, {at.x, at.y + r}}, {colour, 1.5, Dash::kSolid});
     case Marker::kCross:
       canvas.line({{at.x - r, at.y - r}, {at.x + r, at.y + r}}, {colour, 1.5, Dash::kSolid});
       canvas.line({{at.x - r, at.y + r}, {at.x + r, at.y - r}}, {colour, 1.5, Dash::kSolid});

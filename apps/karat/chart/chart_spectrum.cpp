@@ -27,15 +27,17 @@ Colour spectral_colour(const Observer& eye, double nm) {
 void draw_spectrum_strip(Canvas& canvas, const PlacedPanel& placed) {
   constexpr double kHeight = 5.0, kFirst = 380.0, kLast = 780.0;
   const Observer& eye = observer();
-  const double low = std::max(kFirst, placed.x.min), high = std::min(kLast, placed.x.max);
+  const double unit = placed.panel->spectrum_unit_nm;
+  const double low = std::max(kFirst / unit, placed.x.min);
+  const double high = std::min(kLast / unit, placed.x.max);
   if (!(high > low)) return;
   const double left = placed.x.pixel(low), right = placed.x.pixel(high);
   const int count = std::clamp(static_cast<int>(right - left), 1, 200);
   std::vector<Colour> colours;
   for (int i = 0; i < count; ++i) {
     const double share = (i + 0.5) / count;
-    const double nm = placed.x.log ? low * std::pow(high / low, share) : low + (high - low) * share;
-    colours.push_back(spectral_colour(eye, nm));
+    const double at = placed.x.log ? low * std::pow(high / low, share) : low + (high - low) * share;
+    colours.push_back(spectral_colour(eye, at * unit));
   }
   canvas.cells({left, placed.box.bottom() - kHeight, right - left, kHeight}, colours.size(),
                colours);

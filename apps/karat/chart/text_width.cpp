@@ -2,6 +2,8 @@
 #include <cairo.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/karat/chart/canvas.h"
 
@@ -13,6 +15,13 @@ using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 }  // namespace
 
+// nlohmann-json replaces what is not UTF-8 when it writes.
+std::string valid_utf8(const std::string& text) {
+  using nlohmann::json;
+  const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return json::parse(quoted).get<std::string>();
+}
+
 double text_width(const std::string& text, const TextStyle& style) {
   const Surface surface(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr),
                         cairo_surface_destroy);
@@ -23,28 +32,28 @@ double text_width(const std::string& text, const TextStyle& style) {
   constexpr double kMeasured = 1000.0;
   cairo_set_font_size(context.get(), kMeasured);
   cairo_text_extents_t extents;
-  cairo_text_extents(context.get(), text.c_str(), &extents);
+  cairo_text_extents(context.get(), valid_utf8(text).c_str(), &extents);
   return extents.x_advance * style.size / kMeasured;
 }
 
 std::vector<std::string> broken_lines(const std::string& text, const TextStyle& style,
                                       double width) {
   std::vector<std::string> lines;
-  std::string line;
-  for (std::size_t start = 0; start < text.size();) {
-    std::size_t end = text.find(' ', start);
-    if (end == std::string::npos) end = text.size();
-    const std::string word = text.substr(start, end - start);
-    start = end + 1;
-    const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && text_width(longer, style) > width) {
-      lines.push_back(line);
-      line = word;
-    } else {
-      line = longer;
+  std::istringstream paragraphs(text);
+  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+    std::istringstream words(paragraph);
+    std::string line;
+    for (std::string word; words >> word;) {
+      const std::string longer = line.empty() ? word : line + " " + word;
+      if (!line.empty() && text_width(longer, style) > width) {
+        lines.push_back(line);
+        line = word;
+      } else {
+        line = longer;
+      }
     }
+    if (!line.empty()) lines.push_back(line);
   }
-  if (!line.empty()) lines.push_back(line);
   return lines;
 }
 
