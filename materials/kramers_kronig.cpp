@@ -92,7 +92,7 @@ Eigen::MatrixXd outer_parts(const EnergyIndex& index, const Nodes& nodes,
   return parts;
 }
 
-// Square roots of the shares of log energy that the rows stand for, divided by |n + ik|.
+// Square roots of the shares of log energy that the rows stand for, divided by |1 + n + ik|.
 Eigen::VectorXd root_weights(const EnergyIndex& index) {
   const std::vector<double>& energy = index.energy_ev;
   const std::size_t count = energy.size();
@@ -101,7 +101,7 @@ Eigen::VectorXd root_weights(const EnergyIndex& index) {
   for (std::size_t i = 0; i < count; ++i) {
     const double low = energy[i == 0 ? 0 : i - 1], high = energy[std::min(i + 1, count - 1)];
     weights[static_cast<Eigen::Index>(i)] =
-        std::sqrt(0.5 * std::log(high / low) / whole) / std::hypot(index.n[i], index.k[i], 1e-3);
+        std::sqrt(0.5 * std::log(high / low) / whole) / std::hypot(index.n[i] + 1.0, index.k[i], 1e-3);
   }
   return weights;
 }

@@ -22,8 +22,8 @@ struct EnergyIndex {
 // remains is an inconsistency that no passive absorption outside could explain.
 struct KramersKronigFit {
   std::vector<double> n;  // that k implies, at the energies given
-  double rms = 0.0;       // of the difference to the measured n, as a share of |n + ik| there,
-                          // evenly over log energy
+  double rms = 0.0;       // of the difference to the measured n, as a share of |1 + n + ik| there,
+                          // evenly over log energy: what a reflection amplitude feels of it
   // The outer absorption that was chosen: k at energies outside.
   std::vector<double> outer_energy_ev, outer_k;
 };

@@ -163,6 +163,16 @@ Panel k_panel(const std::vector<IndexTablePtr>& tables, const std::vector<Curve>
   return panel;
 }
 
+// A grey line that stands in the legend alone.
+Series legend_line(const std::string& name, Dash dash) {
+  Series series;
+  series.name = name;
+  series.colour = {0.4, 0.4, 0.4, 1.0};
+  series.dash = dash;
+  series.width = 1.1;
+  return series;
+}
+
 Panel reflectance_panel(const std::vector<IndexTablePtr>& tables, const std::vector<Curve>& curves,
                         const View& view, const IndexChartOptions& options) {
   Panel panel = panel_of(tables, view, fmt::format("reflectance, {:g}°", options.angle_deg));
@@ -183,9 +193,8 @@ Panel reflectance_panel(const std::vector<IndexTablePtr>& tables, const std::vec
     add_curve(panel, curve, curve.values.r, curve.values.r_rows, view);
   }
   if (options.angle_deg > 0.0) {
-    const Colour grey{0.4, 0.4, 0.4, 1.0};
-    panel.series.push_back({"s-polarised", {}, {}, grey, Dash::kDashed, 1.1});
-    panel.series.push_back({"p-polarised", {}, {}, grey, Dash::kDotted, 1.1});
+    panel.series.push_back(legend_line("s-polarised", Dash::kDashed));
+    panel.series.push_back(legend_line("p-polarised", Dash::kDotted));
   }
   return panel;
 }

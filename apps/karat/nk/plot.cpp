@@ -24,14 +24,17 @@ struct Options {
   double angle_deg = 0.0;
 };
 
+// Throws ValidationError (wrong usage).
+void require_rising(const std::vector<double>& range_nm) {
+  if (range_nm.empty() || range_nm[0] < range_nm[1]) return;
+  throw CLI::ValidationError(
+      "--nm", fmt::format("found {:g}:{:g}, allowed: the shorter wavelength first", range_nm[0],
+                          range_nm[1]));
+}
+
 IndexChartOptions chart_options(const Options& options) {
   IndexChartOptions chart;
   if (!options.range_nm.empty()) {
-    if (!(options.range_nm[0] < options.range_nm[1])) {
-      throw CLI::ValidationError("--nm", fmt::format("found {:g}:{:g}, allowed: the shorter "
-                                                     "wavelength first",
-                                                     options.range_nm[0], options.range_nm[1]));
-    }
     chart.range = WavelengthRange{options.range_nm[0], options.range_nm[1]};
   }
   if (!options.log_axes.empty()) chart.log_axes = options.log_axes;
@@ -77,7 +80,10 @@ class NkPlot final : public Command {
         ->expected(2)
         ->check(number_check(200, 10000));
     plot->footer("Example: karat nk plot main/Au/Johnson main/Au/McPeak --nm 300:900 -o gold.svg");
-    plot->callback([&action, options] { action = [options] { return run_plot(*options); }; });
+    plot->callback([&action, options] {
+      require_rising(options->range_nm);
+      action = [options] { return run_plot(*options); };
+    });
   }
 };
 
