@@ -19,10 +19,21 @@ void draw_bands(Canvas& canvas, const PlacedPanel& placed) {
     const double right = std::clamp(std::max(a, b), box.left, box.right());
     if (!(right > left)) continue;
     canvas.rectangle({left, box.top, right - left, box.height}, band.colour);
-    const TextStyle style{9.5, false, kNote, Align::kMiddle, false};
-    if (text_width(band.label, style) < right - left - 4.0) {
-      canvas.text({0.5 * (left + right), box.top + 12.0}, band.label, style);
-    }
+  }
+}
+
+// Over the grid, on a ground that keeps its lines away from the letters.
+void draw_band_labels(Canvas& canvas, const PlacedPanel& placed) {
+  const Box& box = placed.box;
+  const TextStyle style{9.5, false, kNote, Align::kMiddle, false};
+  for (const Band& band : placed.panel->bands) {
+    const double left = placed.x.pixel(std::max(band.from, placed.x.min));
+    const double right = placed.x.pixel(std::min(band.to, placed.x.max));
+    const double width = text_width(band.label, style), middle = 0.5 * (left + right);
+    if (band.label.empty() || !(width < right - left - 4.0)) continue;
+    canvas.rectangle({middle - 0.5 * width - 3.0, box.top + 3.0, width + 6.0, 13.0},
+                     {1.0, 1.0, 1.0, 0.8});
+    canvas.text({middle, box.top + 13.0}, band.label, style);
   }
 }
 
@@ -87,6 +98,7 @@ void draw_y_ticks(Canvas& canvas, const PlacedPanel& placed) {
 void draw_background(Canvas& canvas, const PlacedPanel& placed) {
   draw_bands(canvas, placed);
   draw_grid(canvas, placed);
+  draw_band_labels(canvas, placed);
 }
 
 void draw_axes(Canvas& canvas, const PlacedPanel& placed) {

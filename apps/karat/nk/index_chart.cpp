@@ -17,7 +17,8 @@ constexpr std::size_t kMostMarkers = 90;   // along one curve: more of them merg
 
 struct View {
   WavelengthRange range;
-  double unit_nm = 1.0;  // of the axis
+  WavelengthRange shown;  // a little more, where the range was not asked for
+  double unit_nm = 1.0;   // of the axis
   bool log = false;
 };
 
@@ -45,9 +46,18 @@ bool asked_for(const IndexChartOptions& options, const std::string& axis, bool o
 }
 
 View view_of(const std::vector<IndexTablePtr>& tables, const IndexChartOptions& options) {
-  View view{options.range.value_or(joint_range(tables))};
+  View view;
+  view.range = options.range.value_or(joint_range(tables));
   view.unit_nm = view.range.max_nm > kNearInfrared ? 1000.0 : 1.0;
   view.log = asked_for(options, "wavelength", view.range.max_nm > 12.0 * view.range.min_nm);
+  view.shown = view.range;
+  if (!options.range) {
+    // Room for the dots at the ends.
+    const double margin = 0.012 * view.range.width_nm();
+    const double factor = std::pow(view.range.max_nm / view.range.min_nm, 0.012);
+    view.shown.min_nm = view.log ? view.range.min_nm / factor : view.range.min_nm - margin;
+    view.shown.max_nm = view.log ? view.range.max_nm * factor : view.range.max_nm + margin;
+  }
   return view;
 }
 
@@ -120,11 +130,25 @@ Panel panel_of(const std::vector<IndexTablePtr>& tables, const View& view,
   Panel panel;
   panel.x.title = view.unit_nm > 1.0 ? "vacuum wavelength (µm)" : "vacuum wavelength (nm)";
   panel.x.log = view.log;
-  panel.x.min = view.range.min_nm / view.unit_nm;
-  panel.x.max = view.range.max_nm / view.unit_nm;
+  panel.x.min = view.shown.min_nm / view.unit_nm;
+  panel.x.max = view.shown.max_nm / view.unit_nm;
   panel.y.title = title;
   add_bands(panel, tables, view, false);
   return panel;
+}
+
+// Whether positive values spread so far that a linear axis would hide most of them.
+bool spans_decades(const std::vector<Curve>& curves, std::vector<double> IndexCurves::*quantity,
+                   double factor) {
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (const Curve& curve : curves) {
+    for (const double value : curve.values.*quantity) {
+      if (!(value > 0.0)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return high > factor * low;
 }
 
 Panel n_panel(const std::vector<IndexTablePtr>& tables, const std::vector<Curve>& curves,
@@ -132,30 +156,17 @@ Panel n_panel(const std::vector<IndexTablePtr>& tables, const std::vector<Curve>
   Panel panel = panel_of(tables, view, "index n");
   panel.bands.clear();
   add_bands(panel, tables, view, true);
-  panel.y.log = asked_for(options, "n", false);
+  panel.y.log = asked_for(options, "n", spans_decades(curves, &IndexCurves::n, 300.0));
   for (const Curve& curve : curves) {
     add_curve(panel, curve, curve.values.n, curve.values.n_rows, view);
   }
   return panel;
 }
 
-// Whether positive values of k spread so far that a linear axis would hide most of them.
-bool spans_decades(const std::vector<Curve>& curves) {
-  double low = std::numeric_limits<double>::infinity(), high = 0.0;
-  for (const Curve& curve : curves) {
-    for (const double k : curve.values.k) {
-      if (!(k > 0.0)) continue;
-      low = std::min(low, k);
-      high = std::max(high, k);
-    }
-  }
-  return high > 1000.0 * low;
-}
-
 Panel k_panel(const std::vector<IndexTablePtr>& tables, const std::vector<Curve>& curves,
               const View& view, const IndexChartOptions& options) {
   Panel panel = panel_of(tables, view, "extinction k");
-  panel.y.log = asked_for(options, "k", spans_decades(curves));
+  panel.y.log = asked_for(options, "k", spans_decades(curves, &IndexCurves::k, 1000.0));
   for (const Curve& curve : curves) {
     if (!curve.table->has_k()) continue;
     add_curve(panel, curve, curve.values.k, curve.values.k_rows, view);
@@ -199,6 +210,14 @@ Panel reflectance_panel(const std::vector<IndexTablePtr>& tables, const std::vec
   return panel;
 }
 
+std::string range_text(WavelengthRange range) {
+  if (range.max_nm == std::numeric_limits<double>::infinity()) return "every wavelength";
+  if (range.max_nm <= kNearInfrared) {
+    return fmt::format("{:.6g} to {:.6g} nm", range.min_nm, range.max_nm);
+  }
+  return fmt::format("{:.6g} to {:.6g} µm", range.min_nm / 1000.0, range.max_nm / 1000.0);
+}
+
 std::string rows_text(const IndexTable& table, const Curve& curve) {
   const std::size_t rows = std::max(curve.values.n_rows.size(), curve.values.k_rows.size());
   if (rows == 0) return "dispersion formula";
@@ -214,9 +233,8 @@ void add_words(Chart& chart, const std::vector<Curve>& curves) {
     const Provenance& source = curve.table->provenance();
     if (!chart.title.empty()) chart.title += ", ";
     chart.title += source.name;
-    const WavelengthRange range = curve.table->range();
-    const std::string facts = fmt::format("{:.6g} to {:.6g} nm, {}", range.min_nm, range.max_nm,
-                                          rows_text(*curve.table, curve));
+    const std::string facts =
+        range_text(curve.table->range()) + ", " + rows_text(*curve.table, curve);
     if (curves.size() == 1) chart.subtitle = facts;
     chart.caption +=
         fmt::format("{}{}{}", curves.size() > 1 ? source.name + " (" + facts + "): " : "",

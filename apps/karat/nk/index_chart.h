@@ -14,7 +14,7 @@ struct IndexChartOptions {
   std::optional<WavelengthRange> range;  // nm; otherwise what the tables cover
   double angle_deg = 0.0;                // of incidence, for the reflectance
   // Axes that are logarithmic: "wavelength", "n", "k", "reflectance"; not given: wavelengths that
-  // span more than a factor of 12, and k that spans more than 1000.
+  // span more than a factor of 12, k that spans more than 1000, n that spans more than 300.
   std::optional<std::vector<std::string>> log_axes;
   double width = 760.0, height = 640.0;  // pixels
 };

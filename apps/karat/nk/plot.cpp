@@ -69,7 +69,7 @@ class NkPlot final : public Command {
         ->check(number_check(0.0, 90.0));
     plot->add_option("--log", options->log_axes,
                      "Logarithmic axes, separated by commas: wavelength, n, k, reflectance, or "
-                     "none [wavelength and k where they span far]")
+                     "none [those that span far]")
         ->delimiter(',')
         ->check(CLI::IsMember({"wavelength", "n", "k", "reflectance", "none"}));
     plot->add_option("--interpolation", options->interpolation,
