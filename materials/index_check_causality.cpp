@@ -15,6 +15,7 @@ namespace {
 // fitted with a causal model stay below 0.001, Johnson and Christy's noble metals, measured
 // directly, below 0.017, and tables put together from several sources reach 0.1.
 constexpr double kConsistent = 0.02, kInconsistent = 0.05;
+constexpr double kTransparent = 0.01;  // a k below hardly adds to n
 constexpr double kHcNm = 1239.841984;  // eV nm
 constexpr std::size_t kMostEnergies = 200;
 constexpr int kOctaveSteps = 16;
@@ -113,6 +114,10 @@ IndexCheck checked(const IndexTable& table, const EnergyIndex& index) {
       "n", table.has_k() ? "k" : "k = 0", 100.0 * fit.rms, largest.nm, largest.measured,
       largest.implied);
   if (!table.has_k()) return check;
+  if (*std::max_element(index.k.begin(), index.k.end()) < kTransparent) {
+    check.text += "; k is too small to be tested";
+    return check;
+  }
   const double step = std::pow(2.0, 1.0 / kOctaveSteps);
   const double limit = std::max(kConsistent, 1.5 * fit.rms);
   const double low = unnoticed(index, 1.0 / step, limit), high = unnoticed(index, step, limit);
