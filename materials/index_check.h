@@ -36,7 +36,8 @@ IndexCheck check_visible_rows(const IndexTable& table);
 IndexCheck check_sampling(const IndexTablePtr& table);
 
 // Rows that stand out from their neighbours: the distance of each from the cubic through the two
-// rows on either side, against the median distance nearby; and jumps at repeated wavelengths.
+// rows on either side, against the median distance nearby; and jumps at repeated wavelengths. A
+// true edge that the rows barely resolve stands out like a slip of typing: it is worth a look too.
 IndexCheck check_smoothness(const IndexTable& table);
 
 // Kramers-Kronig: whether n can be what k implies, with any passive absorption outside the measured

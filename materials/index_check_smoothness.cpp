@@ -129,7 +129,8 @@ IndexCheck check_smoothness(const IndexTable& table) {
                    {"jumps", static_cast<double>(jump_count)},
                    {"median_distance_share", noise}};
   check.text = fmt::format("rows lie {:.2g} % off their neighbours in the median", 100.0 * noise);
-  if (!outliers.empty()) check.text += "; outliers: " + text_of(outliers);
+  if (!outliers.empty())
+    check.text += "; a slip, or an edge sharper than the rows can show: " + text_of(outliers);
   if (jump_count > 0) {
     check.text += fmt::format("; {} repeated wavelength{} with different values", jump_count,
                               jump_count == 1 ? "" : "s");
