@@ -12,7 +12,7 @@ struct EnergyIndex {
 };
 
 // The n that k implies: n(w) - 1 = 2/pi P int_0^inf w' k(w') / (w'^2 - w^2) dw' (Kramers-Kronig;
-// Lucarini et al. 2005, "Kramers-Kronig Relations in Optical Materials Research", equation 2.37).
+// Lucarini et al. 2005, "Kramers-Kronig Relations in Optical Materials Research").
 //
 // Measured is only an interval. What k adds from outside of it is unknown, but it is not arbitrary:
 // a passive material has k >= 0 there too, so that it adds a sum of terms 1 / (w'^2 - w^2) with

@@ -22,7 +22,7 @@ double inner_slope(const Samples& s, std::size_t i) {
   return std::copysign(std::min(std::abs(parabola), limit), s0);
 }
 
-// Steffen 1990, section 2.2: the parabola's slope at an end, limited. `h0`, `s0` belong to the
+// Steffen 1990, for the two ends: the parabola's slope at an end, limited. `h0`, `s0` belong to the
 // interval at the end, `h1`, `s1` to the next.
 double end_slope(double h0, double h1, double s0, double s1) {
   const double parabola = s0 * (1.0 + h0 / (h0 + h1)) - s1 * h0 / (h0 + h1);
