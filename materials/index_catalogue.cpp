@@ -7,13 +7,12 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "materials/index_folder.h"
 #include "materials/index_names.h"
+#include "materials/index_path.h"
 #include "materials/index_table_file.h"
-#include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -26,22 +25,15 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-fs::path user_folder() {
-  const std::string data = variable("XDG_DATA_HOME");
-  if (!data.empty()) return fs::path(data) / "karat/nk";
-  const std::string home = variable("HOME");
-  return home.empty() ? fs::path() : fs::path(home) / ".local/share/karat/nk";
-}
-
 // The folders as the environment names them now, and what was loaded from them.
 class Library {
  public:
   Library() {
-    add(data_path("nk"));
-    add(user_folder());
-    own_ = folders_.size();
-    std::istringstream path(variable("KARAT_NK_PATH"));
-    for (std::string folder; std::getline(path, folder, ':');) add(folder);
+    for (const IndexPathEntry& entry : index_path()) {
+      if (!entry.exists()) continue;
+      folders_.emplace_back(entry.folder);
+      own_ += entry.kind != IndexPathEntry::Kind::kVariable;
+    }
   }
 
   IndexTablePtr find(const std::string& name) {
@@ -85,11 +77,6 @@ class Library {
   }
 
  private:
-  void add(const fs::path& path) {
-    std::error_code ignored;
-    if (!path.empty() && fs::is_directory(path, ignored)) folders_.emplace_back(path);
-  }
-
   std::optional<std::string> known_file(const std::string& name) const {
     for (const IndexFolder& folder : folders_) {
       if (auto file = folder.find(name)) return file;
@@ -158,8 +145,8 @@ Library& library() {
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<Library>> libraries;
   const std::scoped_lock lock(mutex);
-  const std::string key =
-      variable("KARAT_DATA") + '\n' + user_folder().string() + '\n' + variable("KARAT_NK_PATH");
+  const std::string key = variable("KARAT_DATA") + '\n' + user_index_folder().string() + '\n' +
+                          variable("KARAT_NK_PATH");
   auto& entry = libraries[key];
   if (!entry) entry = std::make_unique<Library>();
   return *entry;

@@ -31,8 +31,7 @@ class IndexFolder {
   const IndexCatalogueFile& catalogue_file() const { return catalogue().file; }
 
   const std::filesystem::path& path() const { return folder_; }
-
-  // What the catalogue's paths start from: path() or the folder "data" in it.
+  // Below which the shelves lie: FOLDER/data where there is one, otherwise FOLDER.
   const std::filesystem::path& root() const { return root_; }
 
  private:
