@@ -66,7 +66,7 @@ std::vector<std::string> comments_on(const RawTable& table, const IndexImport& r
                   [](const RawBlock& block) { return block.quantities[1] == Quantity::kEps1; });
   const std::string day = options.date.empty() ? "" : " on " + options.date;
   std::vector<std::string> comments{
-      fmt::format("Added from {}{}. {}; unit {}.{}{}", options.file_name, day, result.description,
+      fmt::format("Added from {}{}: {}; unit {}.{}{}", options.file_name, day, result.description,
                   result.unit, permittivity ? " n and k computed from the permittivity." : "",
                   options.negate_k ? " The sign of k was changed." : "")};
   const std::size_t kept = std::min(table.comments.size(), kMostComments);
@@ -120,8 +120,8 @@ IndexImport import_rows(RawTable table, const IndexSource& source,
   doubt_unit(table, unit, doubts);
   std::vector<ImportSeries> series;
   for (RawBlock& block : table.blocks) {
-    series.push_back(
-        import_series(std::move(block), unit, options.negate_k, source.file, result.warnings));
+    series.push_back(import_series({block.quantities, std::move(block.rows)}, unit,
+                                   options.negate_k, source.file, result.warnings));
   }
   series = joined_series(std::move(series), source.file);
   for (const ImportSeries& one : series) {

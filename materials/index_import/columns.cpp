@@ -124,7 +124,8 @@ class ColumnsReader {
 
   // Lines above the rows may say what was measured.
   void titles(const TextLine& line) {
-    if (header_names(line.text, separator_, count_).empty()) {
+    const bool units = table_.unit_source == fmt::format("line {}", line.number);
+    if (!units && header_names(line.text, separator_, count_).empty()) {
       table_.comments.emplace_back(line.text);
     }
   }

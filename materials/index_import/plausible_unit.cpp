@@ -117,8 +117,9 @@ void doubt_unit(const RawTable& table, AxisUnit unit, Doubts& doubts) {
   const Span span = axis_span(table);
   const WavelengthRange range = range_in(span, unit);
   if (overlap(range, kVisible)) return;
-  const auto better = units_where(
-      [&](AxisUnit other) { return other != unit && overlap(range_in(span, other), kVisible); });
+  const auto better = units_where([&](AxisUnit other) {
+    return other != unit && possible(other, table.axis) && overlap(range_in(span, other), kVisible);
+  });
   const std::string run = fmt::format(
       "{:.6g} to {:.6g} {}{}", span.low, span.high, axis_unit_name(unit),
       unit == AxisUnit::kNm
