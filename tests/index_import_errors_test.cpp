@@ -44,8 +44,7 @@ TEST_CASE("malformed text columns: file, line, column, what was found", "[index]
         "film.csv: line 3, column 1: \"nan\" is no number; a row begins with its wavelength (a "
         "comment begins with #)");
   CHECK(import_error("nm,n,k\n400,1.5,0\n,1.5,0\n") ==
-        "film.csv: line 3, column 1: an empty cell; a row begins with its wavelength (a comment "
-        "begins with #)");
+        "film.csv: line 3, column 1: an empty cell; a row needs a number here");
   CHECK(import_error("nm;n;k\n400;1,5;0\n;1,5;0\n") ==
         "film.csv: line 3, column 1: an empty cell; a row begins with its wavelength (a comment "
         "begins with #)");
@@ -172,8 +171,12 @@ TEST_CASE("limits hold before memory is taken", "[index][import]") {
   std::string many;
   for (int i = 0; i < 1'000'001; ++i) many += "5 1\n";
   CHECK_THAT(import_error(many), Contains("line 1000001: more than 1000000 rows"));
-  CHECK_THAT(import_error("nm,n\n400,1.5\n1e15,1.4\n"),
-             Contains("at most") || Contains("micrometres"));
+  CHECK(import_error("um,n\n0.4,1.5\n1e13,1.4\n") ==
+        "film.csv: line 3: a wavelength of 10000000000000 um; allowed are 1e-09 to 1000000000000");
+  CHECK(import_error("nm,n\n400,1.5\n500,1e7\n") ==
+        "film.csv: line 3: an index of 10000000; at most 1000000 is plausible");
+  CHECK_THAT(import_error("eV,eps1,eps2\n2,1e308,1e308\n3,1,1\n"),
+             Contains("line 2: an index of") && Contains("is plausible"));
   CHECK_THROWS_WITH(import_index_file("/nonexistent/a.csv", {}),
                     "/nonexistent/a.csv: no such file");
   CHECK_THROWS_WITH(import_index_file("/tmp", {}), "/tmp: no such file");

@@ -114,8 +114,8 @@ std::optional<ColumnLayout> layout_of_line(const TextLine& line, std::size_t cou
       if (layout->unit) layout->unit_source = line_place(line.number);
       return layout;
     }
-    const bool is_units = std::any_of(names.begin(), names.end(), [](const std::string& name) {
-      return axis_unit(name).has_value();
+    const bool is_units = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+      return name.empty() || name == "-" || axis_unit(name).has_value();
     });
     if (!comment && separator != kBlanks && names.size() == count && !is_units) {
       throw InputError(

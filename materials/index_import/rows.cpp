@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "materials/index_formula.h"
 #include "materials/index_import/permittivity.h"
 #include "spectral/support/error.h"
 
@@ -29,6 +31,23 @@ void negate(WrittenNumber& number) {
   }
 }
 
+// The limits of the database's format, said where the line is known.
+void require_limits(const ImportRow& row, const std::string& file) {
+  constexpr double kShortestUm = 1e-9, kLongestUm = 1e12;
+  const std::string line = fmt::format("line {}", row.line);
+  if (!(row.um.value >= kShortestUm && row.um.value <= kLongestUm)) {
+    throw InputError(file, line,
+                     fmt::format("a wavelength of {} um; allowed are {} to {}", row.um.value,
+                                 kShortestUm, kLongestUm));
+  }
+  for (const double value : {row.n.value, row.k.value}) {
+    if (!(std::abs(value) <= kLargestIndex)) {
+      throw InputError(
+          file, line, fmt::format("an index of {}; at most {} is plausible", value, kLargestIndex));
+    }
+  }
+}
+
 ImportRow converted(RawRow&& raw, const RawBlock& block, AxisUnit unit, bool negate_k,
                     const std::string& file) {
   if (!(raw.numbers[0].value > 0.0)) {
@@ -47,6 +66,7 @@ ImportRow converted(RawRow&& raw, const RawBlock& block, AxisUnit unit, bool neg
     if (block.quantities.size() == 3) row.k = std::move(raw.numbers[2]);
   }
   if (negate_k) negate(row.k);
+  require_limits(row, file);
   return row;
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<AxisUnit, 4> kSopraUnits{AxisUnit::kEv, AxisUnit::kUm, AxisUnit::kPerCm,
                                               AxisUnit::kNm};
 
-bool separates(char c) { return c == ' ' || c == '\t' || c == ';'; }
+bool separates(char c) { return c == ' ' || c == '\t' || c == ';' || c == '\r' || c == '\n'; }
 
 std::string_view next_word(std::string_view& line) {
   while (!line.empty() && separates(line.front())) line.remove_prefix(1);
@@ -98,17 +98,17 @@ WrittenNumber number(const Word& word, const IndexSource& source) {
 class Sopra final : public IndexFormat {
  public:
   int likeness(const IndexSource& source) const override {
-    const std::string_view start = source.text.substr(0, 4096);  // a glance suffices
-    const auto first = start.find_first_not_of(" \t\r\n");
+    const auto first = source.text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return 0;
-    const std::string_view rest = start.substr(first);
+    const std::string_view rest = source.text.substr(first);
     const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
-    if (!head_of(trimmed(rest.substr(0, end)))) return 0;
-    // Rows of four columns may begin like a header; what follows a header does not.
-    const auto second = rest.find_first_not_of("\r\n", end);
-    if (second == std::string_view::npos) return 3;
-    const std::string_view below = rest.substr(second);
-    return count_of_words(below.substr(0, below.find_first_of("\r\n"))) == 4 ? 0 : 3;
+    const auto head = head_of(trimmed(rest.substr(0, end)));
+    if (!head) return 0;
+    const std::string_view below =
+        rest.substr(std::min(rest.find_first_not_of("\r\n", end), rest.size()));
+    // Rows of four columns may begin like a header; their count then fits by chance only.
+    if (count_of_words(below.substr(0, below.find_first_of("\r\n"))) != 4) return 3;
+    return count_of_words(below) == 2 * (head->intervals + 1) ? 3 : 0;
   }
   std::string title() const override { return "SOPRA .nk"; }
 

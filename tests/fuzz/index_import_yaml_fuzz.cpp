@@ -1,0 +1,6 @@
+// karat nk add --format yaml, on any bytes.
+#include "tests/fuzz/index_import.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  return karat::fuzz_import("yaml", bytes, size);
+}
