@@ -1,8 +1,10 @@
 // SOPRA, IMD, permittivity and YAML.
 #include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
 
 #include <catch2/catch.hpp>
 #include <complex>
+#include <filesystem>
 #include <random>
 
 #include "materials/index_import/permittivity.h"
@@ -128,4 +130,33 @@ TEST_CASE("a table of the database is taken over as it stands", "[index][import]
   CHECK_THAT(
       import_error("DATA:\n  - type: tabulated n\n    data: |\n      0.5 1,5\n", {}, "a.yml"),
       Contains("line 4") && Contains("\"1,5\""));
+}
+
+TEST_CASE("the database's own tables are plausible; with n and k exchanged many are not",
+          "[index][import]") {
+  namespace fs = std::filesystem;
+  const fs::path main =
+      fs::path(KARAT_TEST_REFERENCE_DIR) / "refractiveindex.info/database/data/main";
+  if (!fs::is_directory(main)) {
+    WARN("skipped: no " + main.string());
+    return;
+  }
+  int tables = 0, refused = 0, exchanged = 0;
+  for (const char* book : {"Au", "Ag", "Cu", "Al", "Si", "Ge", "GaAs", "TiO2", "SiO2", "TiN"}) {
+    for (const auto& file : fs::directory_iterator(main / book / "nk")) {
+      const YAML::Node data = YAML::LoadFile(file.path().string())["DATA"][0];
+      if (data["type"].Scalar() != "tabulated nk") continue;
+      const std::string rows = data["data"].Scalar();
+      ++tables;
+      const std::string error = import_error("wavelength (um)  n  k\n" + rows);
+      INFO(file.path() << ": " << error);
+      CHECK_THAT(error, !Contains("each other's place"));
+      refused += !error.empty();
+      exchanged += import_error("wavelength (um)  k  n\n" + rows).find("each other's place") !=
+                   std::string::npos;
+    }
+  }
+  CHECK(tables > 100);
+  CHECK(refused == 0);
+  CHECK(exchanged > tables * 2 / 5);  // the rest do not reach from 600 to 750 nm, or absorb
 }

@@ -165,7 +165,11 @@ ColumnMeaning column_meaning(std::string_view name) {
   if (const ColumnMeaning meaning = known_meaning(name); meaning.quantity) return meaning;
   // A unit alone: "nm". ("A" alone could be anything, absorbance most likely.)
   if (const auto unit = axis_unit(name); unit && name.size() > 1) {
-    return {Quantity::kAxis, AxisKind::kUnknown, unit};
+    return {Quantity::kAxis,
+            unit == AxisUnit::kEv      ? kEnergy
+            : unit == AxisUnit::kPerCm ? kNumber
+                                       : kLength,
+            unit};
   }
   const std::size_t open = name.find_first_of("([{");
   if (open != std::string_view::npos) {
