@@ -37,6 +37,30 @@ const IndexFormat& format_of(const IndexSource& source, const std::string& asked
   return *best;  // the format "columns" takes any text
 }
 
+void settle(Doubts doubts, const IndexImportOptions& options, const std::string& file,
+            std::vector<std::string>& warnings) {
+  warnings.insert(warnings.end(), doubts.warnings.begin(), doubts.warnings.end());
+  if (options.accept_implausible) {
+    warnings.insert(warnings.end(), doubts.implausible.begin(), doubts.implausible.end());
+  } else if (!doubts.implausible.empty()) {
+    std::string all;
+    for (const std::string& doubt : doubts.implausible) all += (all.empty() ? "" : "\n  ") + doubt;
+    throw InputError(file, "", all + "\n  (--accept-implausible adds the table all the same)");
+  }
+}
+
+// A hand-written table of nm, which the format takes for micrometres.
+void doubt_micrometres(WavelengthRange range, Doubts& doubts) {
+  constexpr double kFarInfraredNm = 1e5;
+  const double low = range.min_nm / 1e3, high = range.max_nm / 1e3;
+  if (range.min_nm > kFarInfraredNm && low <= kVisible.max_nm && high >= kVisible.min_nm) {
+    doubts.implausible.push_back(
+        fmt::format("the wavelengths run from {:.6g} to {:.6g}, and the format's unit is the "
+                    "micrometre; if these are nm, divide them by 1000",
+                    low, high));
+  }
+}
+
 // A table of the database is taken over as it stands: formulas too, which have no rows.
 IndexImport import_database(const IndexSource& source, const IndexImportOptions& options) {
   if (options.unit || !options.columns.empty() || options.negate_k) {
@@ -54,6 +78,9 @@ IndexImport import_database(const IndexSource& source, const IndexImportOptions&
         "the file has REFERENCES of its own, which are kept; --reference is "
         "not used");
   }
+  Doubts doubts;
+  doubt_micrometres(table->range(), doubts);
+  settle(std::move(doubts), options, source.file, result.warnings);
   result.description = "YAML, taken over as it stands";
   result.yaml = std::move(text);
   return result;
@@ -76,18 +103,6 @@ std::vector<std::string> comments_on(const RawTable& table, const IndexImport& r
     comments.push_back(fmt::format("({} more lines)", table.comments.size() - kept));
   }
   return comments;
-}
-
-void settle(Doubts doubts, const IndexImportOptions& options, const std::string& file,
-            std::vector<std::string>& warnings) {
-  warnings.insert(warnings.end(), doubts.warnings.begin(), doubts.warnings.end());
-  if (options.accept_implausible) {
-    warnings.insert(warnings.end(), doubts.implausible.begin(), doubts.implausible.end());
-  } else if (!doubts.implausible.empty()) {
-    std::string all;
-    for (const std::string& doubt : doubts.implausible) all += (all.empty() ? "" : "\n  ") + doubt;
-    throw InputError(file, "", all + "\n  (--accept-implausible adds the table all the same)");
-  }
 }
 
 std::optional<ValueRange> range_of(const ImportSeries& series, WrittenNumber ImportRow::*which) {

@@ -130,6 +130,9 @@ TEST_CASE("a table of the database is taken over as it stands", "[index][import]
   CHECK_THAT(
       import_error("DATA:\n  - type: tabulated n\n    data: |\n      0.5 1,5\n", {}, "a.yml"),
       Contains("line 4") && Contains("\"1,5\""));
+  CHECK_THAT(
+      import_error("DATA:\n  - type: tabulated n\n    data: |\n      400 1.5\n      700 1.4\n"),
+      Contains("400 to 700, and the format's unit is the micrometre"));
 }
 
 TEST_CASE("the database's own tables are plausible; with n and k exchanged many are not",

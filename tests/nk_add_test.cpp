@@ -131,6 +131,16 @@ TEST_CASE("nothing is overwritten, hidden or written by accident", "[nk][add]") 
   CHECK_FALSE(fs::exists(user.tables() / "my/glass/nk/other.yml"));
 }
 
+TEST_CASE("--columns ends where the file begins", "[nk][add]") {
+  const User user;
+  const Outcome outcome =
+      karat_run(user, {"add", "--columns", "wavelength,-,n", user.file("glass.csv"), "--name",
+                       "my/glass/film", "--reference", "x", "--unit", "nm", "--json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(nlohmann::json::parse(outcome.out)["n"][1] == 0.0078);
+}
+
 TEST_CASE("names that cannot be kept, and options that are missing", "[nk][add]") {
   const User user;
   for (const char* name : {"film", "my/film", "a/b/c/d", "/b/c", "a//c", "a/b/", "../b/c", "a/../c",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -200,7 +201,8 @@ class NkAdd final : public Command {
     add->add_option("--columns", options->columns,
                     "What the columns are: wavelength,n,k (also energy, wavenumber, eps1, eps2; - "
                     "skips one); else as the file says")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);  // what follows is the file
     add->add_option("--format", options->import.format,
                     "columns, imd, sopra or yaml; else what the file looks like");
     add->add_flag("--negate-k", options->import.negate_k,
