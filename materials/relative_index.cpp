@@ -39,15 +39,21 @@ Extremes extremes(const LatticeSpectrum& spectrum) {
   return found;
 }
 
+IndexTablePtr exterior_index(const Parameters& parameters, const MaterialContext& context) {
+  const IndexTablePtr outside =
+      parameters.has("exterior") ? parameters.index("exterior") : constant_index({1.0, 0.0});
+  warn_if_absorbing("exterior", on_lattice(*outside, context.lattice).k, "only its n is used",
+                    context);
+  return outside;
+}
+
 // The division is done in double precision, before anything is rounded to float.
 LatticeIndex relative_index(const std::string& name, const Parameters& parameters,
                             const MaterialContext& context) {
   const IndexTablePtr inside = parameters.index(name);
-  const IndexTablePtr outside =
-      parameters.has("exterior") ? parameters.index("exterior") : constant_index({1.0, 0.0});
+  const IndexTablePtr outside = exterior_index(parameters, context);
   LatticeIndex relative;
   relative.lattice = context.lattice;
-  LatticeSpectrum outside_k;
   for (int phase = 0; phase < kPhases; ++phase) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const double nm = context.lattice.wavelength_nm(lane, phase);
@@ -56,12 +62,10 @@ LatticeIndex relative_index(const std::string& name, const Parameters& parameter
         throw InputError("exterior: its n is " + std::to_string(out.n) + " at " +
                          std::to_string(nm) + " nm; it must be above 0");
       }
-      outside_k[phase][lane] = static_cast<float>(out.k);
       relative.n[phase][lane] = static_cast<float>(in.n / out.n);
       relative.k[phase][lane] = static_cast<float>(in.k / out.n);
     }
   }
-  warn_if_absorbing("exterior", outside_k, "only its n is used", context);
   return relative;
 }
 

@@ -11,6 +11,9 @@ namespace karat {
 // `exterior`: optional; vacuum, n = 1, when absent.
 ParameterInfo exterior_parameter();
 
+// The table of the parameter `exterior`, or of vacuum; warns where it absorbs within the lattice.
+IndexTablePtr exterior_index(const Parameters& parameters, const MaterialContext& context);
+
 // n and k of the parameter `name` relative to the parameter `exterior` at the lattice wavelengths.
 // An exterior that absorbs (k above 1e-3 anywhere) is taken by its n alone, with a warning.
 LatticeIndex relative_index(const std::string& name, const Parameters& parameters,

@@ -9,6 +9,7 @@
 #include "materials/index_interpolation.h"
 #include "materials/material.h"
 #include "render/camera.h"
+#include "render/index_schema.h"
 #include "render/integrator.h"
 #include "render/light.h"
 #include "render/parameter_reader.h"
@@ -129,12 +130,14 @@ Json index_schema() {
   const Json part = any_of({{{"type", "number"}, {"minimum", 0}},
                             object({{"table", table_schema()}}, {"table"}),
                             object({{"file", file_schema()}}, {"file"})});
+  std::vector<Json> forms{{{"type", "string"}},
+                          {{"type", "number"}, {"exclusiveMinimum", 0}},
+                          object({{"eta", part}, {"k", part}}, {"eta"})};
+  for (Json& form : composed_index_schemas()) forms.push_back(std::move(form));
   return described(
-      "A complex index of refraction: the name of a table as main/Au/Johnson or its "
-      "file, a number n, or eta and k.",
-      any_of({{{"type", "string"}},
-              {{"type", "number"}, {"exclusiveMinimum", 0}},
-              object({{"eta", part}, {"k", part}}, {"eta"})}));
+      "A complex index of refraction: the name of a table as main/Au/Johnson or its file, a number "
+      "n, eta and k, or an index made from others.",
+      any_of(forms));
 }
 
 Json shape_schema(bool emits) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "materials/index_catalogue.h"
+#include "render/index_reader.h"
 #include "spectral/colour.h"
 #include "spectral/illuminant.h"
 #include "spectral/rgb_to_spectrum.h"
@@ -145,6 +146,7 @@ SpectrumPtr read_index_part(const JsonValue& value, const Allowed& allowed,
 }
 
 IndexTablePtr inline_index(const JsonValue& value, const ReadContext& context) {
+  if (!value.has("eta") && !value.has("k")) return read_composed_index(value, context);
   value.allow_keys({"eta", "k"});
   const SpectrumPtr eta = read_index_part(value.member("eta"), {0.0, 1e6, true}, context);
   const SpectrumPtr k = value.has("k") ? read_index_part(value.member("k"), {0.0, 1e6}, context)
@@ -166,14 +168,6 @@ IndexTablePtr named_index(const JsonValue& value, const ReadContext& context) {
   }
 }
 
-void collect(const Provenance& provenance, const ReadContext& context) {
-  const auto same = [&](const Provenance& p) {
-    return p.name == provenance.name && p.file == provenance.file;
-  };
-  auto& tables = *context.tables;
-  if (std::none_of(tables.begin(), tables.end(), same)) tables.push_back(provenance);
-}
-
 void require_index_coverage(const IndexTable& table, const JsonValue& value,
                             const ReadContext& context) {
   try {
@@ -185,6 +179,14 @@ void require_index_coverage(const IndexTable& table, const JsonValue& value,
 }
 
 }  // namespace
+
+void collect(const Provenance& provenance, const ReadContext& context) {
+  const auto same = [&](const Provenance& p) {
+    return p.name == provenance.name && p.file == provenance.file;
+  };
+  auto& tables = *context.tables;
+  if (std::none_of(tables.begin(), tables.end(), same)) tables.push_back(provenance);
+}
 
 std::string read_path(const JsonValue& value, const ReadContext& context) {
   namespace fs = std::filesystem;
@@ -236,7 +238,9 @@ SpectrumPtr read_plain_spectrum(const JsonValue& value, const ReadContext& conte
 IndexTablePtr read_index(const JsonValue& value, const ReadContext& context) {
   if (value.json().is_number()) return constant_index({value.number({0.0, 1e6, true}), 0.0});
   if (!value.json().is_string() && !value.json().is_object()) {
-    value.fail_found("the name of a table as \"main/Au/Johnson\", a number n, or {\"eta\", \"k\"}");
+    value.fail_found(fmt::format(
+        "the name of a table as \"main/Au/Johnson\", a number n, or an object with eta and k, {}",
+        fmt::join(composed_index_keys(), ", ")));
   }
   const IndexTablePtr table = interpolated(
       value.json().is_string() ? named_index(value, context) : inline_index(value, context),

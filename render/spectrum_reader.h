@@ -39,7 +39,11 @@ SpectrumPtr read_emission(const JsonValue& value, const ReadContext& context);
 // A number, {"table": [[nm, value], ...]} or {"file": "x.spd"}, of either sign and without a unit.
 SpectrumPtr read_plain_spectrum(const JsonValue& value, const ReadContext& context);
 
-// "main/Au/Johnson" or the path of an index file, a number n, or {"eta": spectrum, "k": spectrum}.
+// Adds a table to those of the image's metadata, once.
+void collect(const Provenance& provenance, const ReadContext& context);
+
+// "main/Au/Johnson" or the path of an index file, a number n, {"eta": spectrum, "k": spectrum}, or
+// what index_reader.h lists: alloys, tables between tables, formulas, thin films on a substrate.
 // The table covers the scene's wavelengths, or fails (warns under "clamp").
 IndexTablePtr read_index(const JsonValue& value, const ReadContext& context);
 

@@ -4,12 +4,17 @@
 // al. 2007, equation 20; height-correlated G2 = 1 / (1 + Lambda(o) + Lambda(i)), Heitz 2014,
 // equation 99; sampled by visible normals, Heitz 2018. Single scattering: light that would meet the
 // surface twice is lost.
+//
+// An index that is a stack of thin films gives its own exact Fresnel term, tabulated over angle.
+#include <algorithm>
 #include <cmath>
 
+#include "materials/film_stack.h"
 #include "materials/fresnel_choice.h"
 #include "materials/microfacet_reflection.h"
 #include "materials/relative_index.h"
 #include "materials/roughness.h"
+#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -97,6 +102,36 @@ class ConductorMaterial final : public Material {
   Roughness roughness_;
 };
 
+// For what holds of every stack of a scene.
+void warn_once(const std::string& warning, const MaterialContext& context) {
+  auto& warnings = *context.warnings;
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+    warnings.push_back(warning);
+  }
+}
+
+// The tables for tabulated_fresnel(), with a warning where they do what was not asked for.
+PreparedFresnel prepare_films(const FilmStack& films, const Parameters& parameters,
+                              const MaterialContext& context) {
+  if (const std::string& model = parameters.fresnel("fresnel").model; model != "exact") {
+    throw InputError("fresnel: found \"" + model +
+                     "\", allowed: \"exact\", because \"nk\" is a stack of thin films");
+  }
+  const std::string& name = context.fresnel_override;
+  if (!name.empty() && name != "exact") {
+    warn_once("the Fresnel model " + name + " does not apply to thin films: theirs stays exact",
+              context);
+  }
+  TabulatedReflectance films_of_angle =
+      tabulated_films(films, *exterior_index(parameters, context), context.lattice);
+  if (films_of_angle.error > kTabulatedError) {
+    warn_once("thin films: between tabulated angles the reflectance is off by up to " +
+                  std::to_string(films_of_angle.error),
+              context);
+  }
+  return {&tabulated_fresnel(), std::move(films_of_angle.tables)};
+}
+
 class ConductorType final : public MaterialType {
  public:
   std::string description() const override {
@@ -106,7 +141,7 @@ class ConductorType final : public MaterialType {
     ParameterInfo nk;
     nk.name = "nk";
     nk.type = ParameterType::kIndex;
-    nk.description = "complex index of the metal";
+    nk.description = "complex index of the metal, or thin films on a substrate";
     nk.required = true;
     std::vector<ParameterInfo> all{nk, exterior_parameter(), fresnel_parameter()};
     for (ParameterInfo& info : roughness_parameters()) all.push_back(std::move(info));
@@ -114,9 +149,12 @@ class ConductorType final : public MaterialType {
   }
   std::unique_ptr<const Material> create(const Parameters& parameters,
                                          const MaterialContext& context) const override {
-    return std::make_unique<ConductorMaterial>(
-        prepare_fresnel(parameters, relative_index("nk", parameters, context), context),
-        read_roughness(parameters, *context.warnings));
+    const FilmStack* films = film_stack_of(*parameters.index("nk"));
+    PreparedFresnel fresnel =
+        films ? prepare_films(*films, parameters, context)
+              : prepare_fresnel(parameters, relative_index("nk", parameters, context), context);
+    return std::make_unique<ConductorMaterial>(std::move(fresnel),
+                                               read_roughness(parameters, *context.warnings));
   }
 };
 
