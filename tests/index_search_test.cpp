@@ -1,5 +1,6 @@
 #include "materials/index_search.h"
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -196,8 +197,7 @@ TEST_CASE("a file that is no table is found with its problem", "[index][index-se
 
 TEST_CASE("a damaged, foreign or unwritable cache changes no answer", "[index][index-search]") {
   const Workplace work;
-  for (int i = 0; i < 60; ++i)
-    work.table("P" + std::to_string(i), "Quuxinium " + std::to_string(i));
+  for (int i = 0; i < 60; ++i) work.table(fmt::format("P{}", i), fmt::format("Quuxinium {}", i));
   const auto expected = names(search({"quuxinium"}));
   REQUIRE(expected.size() == 60);
   REQUIRE(fs::exists(work.file()));
@@ -247,7 +247,7 @@ TEST_CASE("one process among several", "[.][index-search-child]") {
 TEST_CASE("processes and threads that build the index at once all get the answer",
           "[index][index-search]") {
   const Workplace work;
-  for (int i = 0; i < 100; ++i) work.table("P" + std::to_string(i), "Quuxinium");
+  for (int i = 0; i < 100; ++i) work.table(fmt::format("P{}", i), "Quuxinium");
   setenv("KARAT_TEST_SEARCH_CHILD", "1", 1);
   std::vector<pid_t> children;
   for (int i = 0; i < 3; ++i) {
