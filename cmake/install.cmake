@@ -1,6 +1,7 @@
 # What `cmake --install` copies: the program, libkarat, the module for images, the headers, the data
-# files, and the config files for find_package(karat). Karat's headers include nlohmann-json and no other library, so a
-# project that uses Karat needs only that one to configure and compile.
+# files, and the config files for find_package(karat). The headers include nlohmann-json and no other
+# library, so a project that uses Karat needs only that one to configure and compile; headers that
+# only Karat's own sources use, with Eigen or SQLite in them, stay behind.
 include(CMakePackageConfigHelpers)
 
 set(CMAKE_INSTALL_MESSAGE LAZY)
@@ -11,7 +12,10 @@ install(TARGETS karat_library EXPORT karat-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS karat_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/karat)
 install(DIRECTORY spectral materials render DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/karat
-  FILES_MATCHING PATTERN "*.h")
+  FILES_MATCHING PATTERN "*.h"
+  PATTERN "nonnegative_least_squares.h" EXCLUDE
+  PATTERN "index_search_folder.h" EXCLUDE
+  PATTERN "sqlite_database.h" EXCLUDE)
 install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/karat OPTIONAL)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/karat)

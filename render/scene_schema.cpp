@@ -206,16 +206,13 @@ Json properties() {
 
 }  // namespace
 
-const Json& scene_schema_json() {
-  static const Json schema = [] {
-    Json root = object(properties(), {"camera"});
-    root["$schema"] = "http://json-schema.org/draft-07/schema#";
-    root["title"] = "Karat scene";
-    root["description"] = "Lengths in scene units, angles in degrees, wavelengths in nm.";
-    root["definitions"] = definitions();
-    return root;
-  }();
-  return schema;
+Json scene_schema_json() {
+  Json root = object(properties(), {"camera"});
+  root["$schema"] = "http://json-schema.org/draft-07/schema#";
+  root["title"] = "Karat scene";
+  root["description"] = "Lengths in scene units, angles in degrees, wavelengths in nm.";
+  root["definitions"] = definitions();
+  return root;
 }
 
 std::string scene_schema() { return scene_schema_json().dump(2) + "\n"; }
@@ -224,7 +221,8 @@ std::string schema_violation(const Json& document) {
   using valijson::adapters::NlohmannJsonAdapter;
   valijson::Schema schema;
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-  parser.populateSchema(NlohmannJsonAdapter(scene_schema_json()), schema);
+  const Json known = scene_schema_json();
+  parser.populateSchema(NlohmannJsonAdapter(known), schema);
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   valijson::ValidationResults results;
   if (validator.validate(schema, NlohmannJsonAdapter(document), &results)) return "";

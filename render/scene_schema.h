@@ -7,7 +7,8 @@
 
 namespace karat {
 
-const Json& scene_schema_json();
+// Of everything that is registered now.
+Json scene_schema_json();
 
 // What valijson finds wrong with a document: the first error with its place, or "" when it
 // conforms.

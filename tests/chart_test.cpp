@@ -115,7 +115,8 @@ TEST_CASE("what cannot be drawn or written is refused with its reason", "[chart]
   reversed.panels[0].x.min = 900.0;
   CHECK_THROWS_WITH(chart_svg(reversed), Contains("wavelength") && Contains("900"));
   Chart map = small_chart();
-  map.panels[0].map = HeatMap{3, 2, {1.0}};
+  HeatMap& heat = map.panels[0].map.emplace();
+  heat.columns = 3, heat.rows = 2, heat.values = {1.0};
   CHECK_THROWS_WITH(chart_svg(map), Contains("3 columns and 2 rows"));
   CHECK_THROWS_AS(chart_svg(Chart()), InputError);
 }
@@ -127,7 +128,7 @@ TEST_CASE("gaps, odd bytes and empty series do no harm", "[chart]") {
   series.y[1] = std::nan("");
   series.y[3] = 0.0;
   chart.panels[0].y.log = true;
-  chart.panels[0].series.push_back({"nothing", {}, {}, {}});
+  chart.panels[0].series.emplace_back().name = "nothing";
   const std::string svg = chart_svg(chart);
   CHECK(well_formed(svg));
   CHECK_THAT(svg, !Contains("nan") && !Contains("inf") && !Contains("\xff") && Contains("nothing"));
@@ -137,7 +138,9 @@ TEST_CASE("gaps, odd bytes and empty series do no harm", "[chart]") {
 
 TEST_CASE("a map has a cell for every value and a bar with its unit", "[chart]") {
   Chart chart = small_chart();
-  HeatMap map{2, 2, {0.0, 1.0, 2.0, std::nan("")}};
+  HeatMap map;
+  map.columns = map.rows = 2;
+  map.values = {0.0, 1.0, 2.0, std::nan("")};
   map.x_range = {400, 700};
   map.title = "error (%)";
   chart.panels[0].map = map;
