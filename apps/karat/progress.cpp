@@ -77,8 +77,27 @@ void Progress::update(const RenderProgress& progress, int first_sample) {
   fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text);
 }
 
+// A bar is redrawn for every percent; lines say only which stage has begun.
+void Progress::stage(const std::string& name, double done) {
+  const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));
+  const bool same_stage = name == stage_;
+  if (style_ == Style::kNone || (same_stage && percent == stage_percent_)) return;
+  stage_ = name, stage_percent_ = percent;
+  if (style_ == Style::kJson) {
+    const nlohmann::json line = {{"stage", name}, {"done", done}};
+    fmt::print(stderr, "{}\n", line.dump());
+  } else if (style_ == Style::kBar) {
+    const int filled = kBarWidth * percent / 100;
+    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3} %  {}\x1b[K", "", filled, "", kBarWidth - filled,
+               percent, name);
+  } else if (!same_stage) {
+    fmt::print(stderr, "{} ...\n", name);
+  }
+}
+
 void Progress::finish() {
-  if (style_ == Style::kBar && last_shown_seconds_ >= 0.0) fmt::print(stderr, "\n");
+  const bool shown = last_shown_seconds_ >= 0.0 || stage_percent_ >= 0;
+  if (style_ == Style::kBar && shown) fmt::print(stderr, "\n");
 }
 
 void Progress::note(const std::string& text) const {

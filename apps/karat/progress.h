@@ -16,6 +16,8 @@ class Progress {
 
   // `first_sample`: what a checkpoint held; it does not count for the speed.
   void update(const RenderProgress& progress, int first_sample);
+  // For work that is no render: `done` of the stage, in [0, 1].
+  void stage(const std::string& name, double done);
   void finish();
 
   // A line for people: left out where the style is json or none.
@@ -28,6 +30,8 @@ class Progress {
   Style style_;
   double time_limit_seconds_;
   double last_shown_seconds_ = -1e9;
+  std::string stage_;  // the last one shown, and the percentage of it
+  int stage_percent_ = -1;
 };
 
 }  // namespace karat

@@ -1,0 +1,115 @@
+// karat fresnel study: what approximations cost, in error and in time.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "apps/karat/command.h"
+#include "apps/karat/fresnel/study_options.h"
+#include "apps/karat/fresnel/study_report.h"
+#include "apps/karat/json_output.h"
+#include "apps/karat/progress.h"
+#include "render/image_file.h"
+#include "spectral/illuminant.h"
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+struct Options {
+  std::vector<std::string> tables = usual_study_tables();
+  std::vector<std::string> models;  // empty: all
+  std::string illuminant = "D65", observer = "cie1931";
+  std::string nm = "380:780:5", angles = "0:89:1";
+  std::string folder = "fresnel-study";
+  std::string progress;
+  bool as_json = false;
+};
+
+FresnelStudyOptions study_options(const Options& options) {
+  FresnelStudyOptions study;
+  study.tables = options.tables;
+  study.models = options.models.empty() ? usual_study_models() : options.models;
+  study.grid = {parse_steps("--nm", options.nm, 1.0, 1e6),
+                parse_steps("--angles", options.angles, 0.0, 90.0)};
+  study.viewing = {options.illuminant, options.observer};
+  return study;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw RuntimeError(folder + ": cannot be created: " + error.message());
+  check_writable(folder + "/study.json");
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& json) {
+  replace_file(path, [&](const std::string& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    if (!file.flush()) throw RuntimeError(path + ": cannot be written");
+  });
+}
+
+int run(const Options& options) {
+  StudyReport report;
+  report.options = study_options(options);
+  make_folder(options.folder);
+  Progress progress(options.progress, 0.0);
+
+  report.materials = study_fresnel_models(report.options, [&](std::size_t done, std::size_t total) {
+    progress.stage("errors and colours", static_cast<double>(done) / static_cast<double>(total));
+  });
+  FresnelCostOptions cost_options;
+  cost_options.after_round = [&](int done, int total) {
+    progress.stage("costs", static_cast<double>(done) / total);
+  };
+  report.costs =
+      fresnel_costs(report.options.models, *report.materials.front().table, cost_options);
+  report.call_ns = report.costs.back().ns.median;
+  report.costs.pop_back();
+  report.ranking = rank_fresnel_models(report.materials, report.costs);
+  report.summary = study_summary(report);
+
+  const nlohmann::ordered_json json = study_json(report);
+  write_json(options.folder + "/study.json", json);
+  write_study_csv(options.folder, report);
+  write_study_html(options.folder + "/index.html", report);
+  progress.finish();
+  if (options.as_json) print_json(json);
+  progress.note("report: " + options.folder + "/index.html");
+  return 0;
+}
+
+class FresnelStudyCommand final : public Command {
+ public:
+  void add_to(CLI::App& fresnel, std::function<int()>& action) const override {
+    const auto options = std::make_shared<Options>();
+    CLI::App* study = fresnel.add_subcommand(
+        "study", "Error, colour and cost of Fresnel models: a report in a folder");
+    study->add_option("--nk", options->tables, "Index tables (twelve metals)")->delimiter(',');
+    study->add_option("--models", options->models, "Fresnel models (all)")->delimiter(',');
+    study->add_option("--illuminant", options->illuminant, "Light under which colours are compared")
+        ->capture_default_str();
+    study->add_option("--observer", options->observer, "Standard observer that compares them")
+        ->capture_default_str();
+    study->add_option("--nm", options->nm, "Wavelengths of the error statistics, FIRST:LAST:STEP")
+        ->capture_default_str();
+    study->add_option("--angles", options->angles, "Angles of the same, in degrees")
+        ->capture_default_str();
+    study->add_option("-o,--output", options->folder, "Folder for the report")
+        ->capture_default_str();
+    study->add_option("--progress", options->progress, "bar, lines, json or none")
+        ->check(CLI::IsMember({"bar", "lines", "json", "none"}));
+    study->add_flag("--json", options->as_json, "Print study.json too");
+    study->footer("Example: karat fresnel study --nk main/Au/Johnson,main/Cu/Johnson -o study");
+    study->callback([&action, options] { action = [options] { return run(*options); }; });
+  }
+};
+
+KARAT_REGISTER(Command, "fresnel study", FresnelStudyCommand);
+
+}  // namespace
+}  // namespace karat

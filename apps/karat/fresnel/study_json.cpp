@@ -1,0 +1,134 @@
+// study.json: the summary of a study for programs.
+#include <algorithm>
+#include <stdexcept>
+
+#include "apps/karat/fresnel/study_report.h"
+#include "render/version.h"
+
+namespace karat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json spread_json(const CostSpread& spread) {
+  return {{"median", spread.median}, {"lower", spread.lower}, {"upper", spread.upper}};
+}
+
+Json machine_json() {
+  return {{"processor", processor_name()},
+          {"compiler", compiler()},
+          {"flags", compiler_flags()},
+          {"vector_instructions", vector_instructions()}};
+}
+
+Json material_json(const FresnelMaterialStudy& material) {
+  const Provenance& source = material.table->provenance();
+  const WavelengthRange range = material.table->range();
+  Json tables = Json::array();
+  for (const FresnelTableStudy& other : material.other_tables) {
+    tables.push_back({{"table", other.table},
+                      {"max_abs_difference", other.error.max_abs},
+                      {"mean_abs_difference", other.error.mean_abs},
+                      {"rms_difference", other.error.rms},
+                      {"delta_e_mean", other.colour_error.mean},
+                      {"delta_e_max", other.colour_error.max},
+                      {"delta_e_albedo", other.colour_error.albedo}});
+  }
+  return {{"table", source.name},
+          {"name", short_name(material)},
+          {"reference", source.reference},
+          {"range_nm", {range.min_nm, range.max_nm}},
+          {"normal_linear_srgb", linear_srgb_of_xyz(material.colours.per_angle.front())},
+          {"albedo_linear_srgb", linear_srgb_of_xyz(material.colours.albedo)},
+          {"other_tables", tables}};
+}
+
+Json model_json(const StudyReport& report, const std::string& name) {
+  const FresnelModel& model = *Registry<FresnelModel>::instance().find(name);
+  const FresnelCost& cost = cost_of(report, name);
+  return {{"model", name},
+          {"description", model.description()},
+          {"source", model.source()},
+          {"ns_per_call", spread_json(cost.ns)},
+          {"ns_per_wavelength", cost.ns.median / kLanes},
+          {"cost_relative", spread_json(cost.relative)}};
+}
+
+Json result_json(const StudyReport& report, const FresnelMaterialStudy& material,
+                 const FresnelModelStudy& study) {
+  return {{"material", material.table->provenance().name},
+          {"model", study.model},
+          {"max_abs_error", study.error.max_abs},
+          {"mean_abs_error", study.error.mean_abs},
+          {"rms_error", study.error.rms},
+          {"mean_signed_error", study.error.mean_signed},
+          {"max_abs_error_nm", study.error.worst_nm},
+          {"max_abs_error_deg", study.error.worst_deg},
+          {"delta_e_mean", study.colour_error.mean},
+          {"delta_e_max", study.colour_error.max},
+          {"delta_e_max_deg", study.colour_error.worst_deg},
+          {"delta_e_albedo", study.colour_error.albedo},
+          {"albedo_max_abs_error", study.albedo_max_abs_error},
+          {"cost_relative", cost_of(report, study.model).relative.median}};
+}
+
+Json rank_json(const FresnelRank& rank) {
+  return {{"model", rank.model},
+          {"cost_relative", rank.cost_relative},
+          {"max_abs_error", rank.max_abs_error},
+          {"rms_error", rank.rms_error},
+          {"delta_e_mean", rank.delta_e_mean},
+          {"delta_e_max", rank.delta_e_max},
+          {"delta_e_max_material", rank.worst_material},
+          {"delta_e_albedo", rank.delta_e_albedo},
+          {"efficient", rank.efficient}};
+}
+
+}  // namespace
+
+const FresnelCost& cost_of(const StudyReport& report, const std::string& model) {
+  const auto cost = std::find_if(report.costs.begin(), report.costs.end(),
+                                 [&](const FresnelCost& c) { return c.model == model; });
+  if (cost == report.costs.end()) throw std::logic_error("no cost of model " + model);
+  return *cost;
+}
+
+std::string short_name(const FresnelMaterialStudy& material) {
+  std::string name = material.table->provenance().name;
+  const std::size_t shelf = name.find('/');
+  if (std::count(name.begin(), name.end(), '/') == 2) name.erase(0, shelf + 1);
+  std::replace(name.begin(), name.end(), '/', ' ');
+  return name;
+}
+
+Json study_json(const StudyReport& report) {
+  Json json = {{"karat", version()},
+               {"commit", commit()},
+               {"command", report.command},
+               {"grid",
+                {{"wavelengths_nm", report.options.grid.wavelengths_nm},
+                 {"angles_deg", report.options.grid.angles_deg},
+                 {"weighting", "none"}}},
+               {"illuminant", report.options.viewing.illuminant},
+               {"observer", report.options.viewing.observer},
+               {"machine", machine_json()},
+               {"wavelengths_per_call", int{kLanes}},
+               {"call_overhead_ns", report.call_ns},
+               {"published_2005", {{"schlick", 0.28}, {"lazanyi", 0.33}, {"lazanyi-compensated", 0.54}, {"exact", 1.0}}},
+               {"summary", report.summary},
+               {"models", Json::array()},
+               {"materials", Json::array()},
+               {"results", Json::array()},
+               {"ranking", Json::array()}};
+  for (const auto& name : report.options.models) json["models"].push_back(model_json(report, name));
+  for (const auto& material : report.materials) {
+    json["materials"].push_back(material_json(material));
+    for (const auto& study : material.models) {
+      json["results"].push_back(result_json(report, material, study));
+    }
+  }
+  for (const auto& rank : report.ranking) json["ranking"].push_back(rank_json(rank));
+  return json;
+}
+
+}  // namespace karat

@@ -1,0 +1,115 @@
+#include "materials/fresnel_cost.h"
+
+#include <algorithm>
+#include <ctime>
+#include <numeric>
+#include <random>
+
+#include "spectral/support/error.h"
+
+namespace karat {
+namespace {
+
+// Time that this thread ran: what other programs take does not count.
+double thread_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+// Returns its table: the price of a call and of the loop around it.
+class Nothing final : public FresnelModel {
+ public:
+  std::string description() const override { return "nothing"; }
+  std::string source() const override { return ""; }
+  FresnelTables prepare(const LatticeIndex& index) const override { return {{index.n}}; }
+  SampledSpectrum reflectance(const FresnelTables& tables, int phase, float) const override {
+    return tables.planes[0][phase];
+  }
+  Scalar evaluate(ComplexIndex, double) const override { return {}; }
+};
+
+CostKernel kernel_of(const FresnelModel& model, const LatticeIndex& index) {
+  return [&model, tables = model.prepare(index)](const std::vector<float>& cosines) {
+    SampledSpectrum sum(0.0f);
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+      sum += model.reflectance(tables, static_cast<int>(i % kPhases), cosines[i]);
+    }
+    return mean(sum);
+  };
+}
+
+std::vector<float> random_cosines(int count) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  std::vector<float> cosines(static_cast<std::size_t>(count));
+  for (float& c : cosines) c = uniform(generator);
+  return cosines;
+}
+
+}  // namespace
+
+CostSpread cost_spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double quantile) {
+    const double place = quantile * static_cast<double>(values.size() - 1);
+    const auto i = static_cast<std::size_t>(place);
+    const double t = place - static_cast<double>(i);
+    return values[i] + t * (values[std::min(i + 1, values.size() - 1)] - values[i]);
+  };
+  return {at(0.5), at(0.25), at(0.75)};
+}
+
+std::vector<FresnelCost> measure_costs(const std::vector<NamedCostKernel>& kernels,
+                                       const FresnelCostOptions& options) {
+  const std::vector<float> cosines = random_cosines(options.calls);
+  std::vector<std::vector<double>> ns(kernels.size()), relative(kernels.size());
+  std::vector<std::size_t> order(kernels.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937 generator(1);
+  const auto exact = static_cast<std::size_t>(
+      std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.model == "exact"; }) -
+      kernels.begin());
+  volatile float sink = 0.0f;
+  for (int round = -1; round < options.rounds; ++round) {  // the first one warms up
+    std::shuffle(order.begin(), order.end(), generator);
+    std::vector<double> times(kernels.size());
+    for (const std::size_t i : order) {
+      const double start = thread_ns();
+      sink = kernels[i].run(cosines);
+      times[i] = (thread_ns() - start) / options.calls;
+    }
+    if (options.after_round) options.after_round(round + 1, options.rounds);
+    if (round < 0) continue;
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+      ns[i].push_back(times[i]);
+      relative[i].push_back(times[i] / times[exact]);
+    }
+  }
+  static_cast<void>(sink);
+  std::vector<FresnelCost> costs;
+  for (std::size_t i = 0; i < kernels.size(); ++i) {
+    costs.push_back({kernels[i].model, cost_spread(ns[i]), cost_spread(relative[i])});
+  }
+  return costs;
+}
+
+std::vector<FresnelCost> fresnel_costs(const std::vector<std::string>& models,
+                                       const IndexTable& table,
+                                       const FresnelCostOptions& options) {
+  const LatticeIndex index = on_lattice(table, WavelengthLattice());
+  const auto& registry = Registry<FresnelModel>::instance();
+  std::vector<std::string> names = models;
+  if (std::find(names.begin(), names.end(), "exact") == names.end()) names.push_back("exact");
+  std::vector<NamedCostKernel> kernels;
+  for (const std::string& name : names) {
+    const FresnelModel* model = registry.find(name);
+    if (!model) throw InputError(unknown_name_message("Fresnel model", name, registry.names()));
+    kernels.push_back({name, kernel_of(*model, index)});
+  }
+  static const Nothing nothing;
+  kernels.push_back({"", kernel_of(nothing, index)});
+  return measure_costs(kernels, options);
+}
+
+}  // namespace karat
