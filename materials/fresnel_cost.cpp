@@ -39,6 +39,41 @@ CostKernel kernel_of(const FresnelModel& model, const LatticeIndex& index) {
   };
 }
 
+constexpr std::size_t kSingleWavelengths = 32;
+
+CostKernel single_kernel_of(const FresnelModel& model, const IndexTable& table) {
+  struct Prepared {
+    ComplexIndex index;
+    std::vector<double> values;
+  };
+  std::vector<Prepared> prepared;
+  for (std::size_t i = 0; i < kSingleWavelengths; ++i) {
+    const double t = static_cast<double>(i) / (kSingleWavelengths - 1);
+    const ComplexIndex index = table.at(kVisible.min_nm + t * kVisible.width_nm());
+    prepared.push_back({index, model.chosen(index)});
+  }
+  return [&model, prepared](const std::vector<float>& cosines) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+      const auto& [index, values] = prepared[i % kSingleWavelengths];
+      sum += values.empty() ? model.evaluate(index, double{cosines[i]}).unpolarised
+                            : model.evaluate_with(index, double{cosines[i]}, values);
+    }
+    return static_cast<float>(sum);
+  };
+}
+
+std::vector<std::string> with_exact(std::vector<std::string> models) {
+  if (std::find(models.begin(), models.end(), "exact") == models.end()) models.push_back("exact");
+  return models;
+}
+
+const FresnelModel& model_named(const std::string& name) {
+  const auto& registry = Registry<FresnelModel>::instance();
+  if (const FresnelModel* model = registry.find(name)) return *model;
+  throw InputError(unknown_name_message("Fresnel model", name, registry.names()));
+}
+
 std::vector<float> random_cosines(int count) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
@@ -98,17 +133,22 @@ std::vector<FresnelCost> fresnel_costs(const std::vector<std::string>& models,
                                        const IndexTable& table,
                                        const FresnelCostOptions& options) {
   const LatticeIndex index = on_lattice(table, WavelengthLattice());
-  const auto& registry = Registry<FresnelModel>::instance();
-  std::vector<std::string> names = models;
-  if (std::find(names.begin(), names.end(), "exact") == names.end()) names.push_back("exact");
   std::vector<NamedCostKernel> kernels;
-  for (const std::string& name : names) {
-    const FresnelModel* model = registry.find(name);
-    if (!model) throw InputError(unknown_name_message("Fresnel model", name, registry.names()));
-    kernels.push_back({name, kernel_of(*model, index)});
+  for (const std::string& name : with_exact(models)) {
+    kernels.push_back({name, kernel_of(model_named(name), index)});
   }
   static const Nothing nothing;
   kernels.push_back({"", kernel_of(nothing, index)});
+  return measure_costs(kernels, options);
+}
+
+std::vector<FresnelCost> fresnel_single_costs(const std::vector<std::string>& models,
+                                              const IndexTable& table,
+                                              const FresnelCostOptions& options) {
+  std::vector<NamedCostKernel> kernels;
+  for (const std::string& name : with_exact(models)) {
+    kernels.push_back({name, single_kernel_of(model_named(name), table)});
+  }
   return measure_costs(kernels, options);
 }
 

@@ -50,6 +50,12 @@ std::vector<FresnelCost> fresnel_costs(const std::vector<std::string>& models,
                                        const IndexTable& table,
                                        const FresnelCostOptions& options = {});
 
+// The same for one wavelength a call: double precision, scalar, straight from n and k, with nothing
+// prepared but fitted parameters; how a program without lanes and tables would evaluate the models.
+std::vector<FresnelCost> fresnel_single_costs(const std::vector<std::string>& models,
+                                              const IndexTable& table,
+                                              const FresnelCostOptions& options = {});
+
 // The processor by its own name, or "unknown processor".
 std::string processor_name();
 // The options that the models were compiled with, and the vector instructions these allow.

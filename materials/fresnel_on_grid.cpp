@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,9 +39,9 @@ Quadrature gauss_legendre(int count) {
   return rule;
 }
 
-// cos(90 degrees) is 6e-17 in double precision; here it is 0.
+// By the sine of the complement: exactly 0 at 90 degrees, and accurate next to it.
 double cosine(double angle_deg) {
-  return angle_deg == 90.0 ? 0.0 : std::cos(angle_deg * std::numbers::pi / 180.0);
+  return std::sin((90.0 - angle_deg) * (std::numbers::pi / 180.0));
 }
 
 // `evaluate(cos_theta, values)` writes one value per wavelength.
@@ -77,40 +78,83 @@ std::vector<ComplexIndex> indices_at(const IndexTable& table,
 
 FresnelOnGrid::FresnelOnGrid(const FresnelModel& model, const IndexTable& table,
                              const std::vector<double>& wavelengths_nm)
-    : model_(model), count_(wavelengths_nm.size()) {
-  if (count_ > kLatticeSize) {
+    : model_(model) {
+  tables_ = model.prepare(model.per_wavelength() ? packed(table, wavelengths_nm)
+                                                 : spread(table, wavelengths_nm));
+}
+
+LatticeIndex FresnelOnGrid::packed(const IndexTable& table,
+                                   const std::vector<double>& wavelengths_nm) {
+  const std::size_t count = wavelengths_nm.size();
+  if (count > kLatticeSize) {
     throw InputError(
-        fmt::format("{} wavelengths; at most {} are allowed", count_, int{kLatticeSize}));
+        fmt::format("{} wavelengths; at most {} are allowed", count, int{kLatticeSize}));
   }
   const std::vector<ComplexIndex> indices = indices_at(table, wavelengths_nm);
   LatticeIndex lattice;
   for (std::size_t i = 0; i < kLatticeSize; ++i) {
-    const ComplexIndex index = indices[std::min(i, count_ - 1)];
+    const ComplexIndex index = indices[std::min(i, count - 1)];
     const int phase = static_cast<int>(i) / kLanes, lane = static_cast<int>(i) % kLanes;
     lattice.n[phase][lane] = static_cast<float>(index.n);
     lattice.k[phase][lane] = static_cast<float>(index.k);
+    if (i < count) places_.push_back({i, i, 0.0});
   }
-  tables_ = model.prepare(lattice);
+  phases_ = (count + kLanes - 1) / kLanes;
+  return lattice;
+}
+
+LatticeIndex FresnelOnGrid::spread(const IndexTable& table,
+                                   const std::vector<double>& wavelengths_nm) {
+  WavelengthRange range{wavelengths_nm.front(), wavelengths_nm.back()};
+  require_coverage(table, range, RangePolicy::kError);
+  if (table.range().covers(kVisible)) {
+    range.min_nm = std::min(range.min_nm, kVisible.min_nm);
+    range.max_nm = std::max(range.max_nm, kVisible.max_nm);
+  }
+  const WavelengthLattice lattice(range);
+  const auto slot_of = [](int bin) {  // bin `lane * kPhases + phase`
+    return static_cast<std::size_t>(bin % kPhases) * kLanes + static_cast<std::size_t>(bin / kPhases);
+  };
+  for (const double nm : wavelengths_nm) {
+    const double width = lattice.bin_width_nm();
+    const double bin = width > 0.0 ? (nm - range.min_nm) / width - 0.5 : 0.0;
+    const double clamped = std::clamp(bin, 0.0, kLatticeSize - 1.0);
+    const int below = std::min(static_cast<int>(clamped), kLatticeSize - 2);
+    places_.push_back({slot_of(below), slot_of(below + 1), clamped - below});
+  }
+  phases_ = kPhases;
+  return on_lattice(table, lattice);
+}
+
+void FresnelOnGrid::read(const std::vector<float>& slots, double* values) const {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto [slot, next, t] = places_[i];
+    values[i] = t == 0.0 ? double{slots[slot]}
+                         : (1.0 - t) * double{slots[slot]} + t * double{slots[next]};
+  }
 }
 
 void FresnelOnGrid::reflectance(double cos_theta, double* values) const {
-  for (std::size_t i = 0; i < count_; i += kLanes) {
-    const auto r = model_.reflectance(tables_, static_cast<int>(i) / kLanes,
-                                      static_cast<float>(cos_theta));
-    for (std::size_t j = i; j < std::min(i + kLanes, count_); ++j) values[j] = double{r.lane[j - i]};
+  std::vector<float> slots(phases_ * kLanes);
+  for (std::size_t phase = 0; phase < phases_; ++phase) {
+    const SampledSpectrum r = model_.reflectance(tables_, static_cast<int>(phase),
+                                                 static_cast<float>(cos_theta));
+    std::copy(r.lane.begin(), r.lane.end(), slots.begin() + static_cast<std::ptrdiff_t>(phase) * kLanes);
   }
+  read(slots, values);
 }
 
 bool FresnelOnGrid::polarised(double cos_theta, double* s, double* p) const {
-  for (std::size_t i = 0; i < count_; i += kLanes) {
-    const auto apart = model_.polarised(tables_, static_cast<int>(i) / kLanes,
+  std::vector<float> s_slots(phases_ * kLanes), p_slots(phases_ * kLanes);
+  for (std::size_t phase = 0; phase < phases_; ++phase) {
+    const auto apart = model_.polarised(tables_, static_cast<int>(phase),
                                         static_cast<float>(cos_theta));
     if (!apart) return false;
-    for (std::size_t j = i; j < std::min(i + kLanes, count_); ++j) {
-      s[j] = double{apart->s.lane[j - i]};
-      p[j] = double{apart->p.lane[j - i]};
-    }
+    const auto place = static_cast<std::ptrdiff_t>(phase) * kLanes;
+    std::copy(apart->s.lane.begin(), apart->s.lane.end(), s_slots.begin() + place);
+    std::copy(apart->p.lane.begin(), apart->p.lane.end(), p_slots.begin() + place);
   }
+  read(s_slots, s), read(p_slots, p);
   return true;
 }
 

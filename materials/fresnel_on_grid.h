@@ -7,8 +7,12 @@
 
 namespace karat {
 
-// A model prepared for a material, evaluated at wavelengths of one's own. At most kLatticeSize of
-// them: they take the places of the lattice's.
+// A model prepared for a material, evaluated at wavelengths of one's own.
+//
+// Where the model looks at one wavelength at a time these take the places of the lattice's; at most
+// kLatticeSize are allowed. A model that looks at a material as a whole is prepared on the lattice
+// that a render has, of the visible range and whatever is asked for beyond it, and read linearly
+// between the lattice's wavelengths.
 class FresnelOnGrid {
  public:
   // Throws InputError where the table does not cover the wavelengths, has a negative n or k there,
@@ -22,9 +26,18 @@ class FresnelOnGrid {
   bool polarised(double cos_theta, double* s, double* p) const;
 
  private:
+  struct Place {  // (1 - t) of the slot and t of the next one; slots count through phases of lanes
+    std::size_t slot = 0, next = 0;
+    double t = 0.0;
+  };
+  LatticeIndex packed(const IndexTable& table, const std::vector<double>& wavelengths_nm);
+  LatticeIndex spread(const IndexTable& table, const std::vector<double>& wavelengths_nm);
+  void read(const std::vector<float>& slots, double* values) const;
+
   const FresnelModel& model_;
+  std::vector<Place> places_;
+  std::size_t phases_ = 0;  // that hold places
   FresnelTables tables_;
-  std::size_t count_;
 };
 
 // n and k at the wavelengths, from vacuum. The same errors.

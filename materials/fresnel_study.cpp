@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 
 #include "materials/fresnel_on_grid.h"
 #include "materials/index_catalogue.h"

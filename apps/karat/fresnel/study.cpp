@@ -5,14 +5,16 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <tuple>
 
 #include "apps/karat/command.h"
 #include "apps/karat/fresnel/study_options.h"
 #include "apps/karat/fresnel/study_report.h"
 #include "apps/karat/json_output.h"
+#include "apps/karat/number_check.h"
 #include "apps/karat/progress.h"
 #include "render/image_file.h"
-#include "spectral/illuminant.h"
+#include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -26,6 +28,28 @@ struct Options {
   std::string folder = "fresnel-study";
   std::string progress;
   bool as_json = false;
+  bool no_render = false;
+  std::string render_size = "432x243";
+  int spp = 64, threads = 0;
+
+  // That makes this report again, with what is not default.
+  std::string command() const {
+    const Options usual;
+    std::string text = "karat fresnel study";
+    const auto add = [&](bool differs, const char* option, const std::string& value) {
+      if (differs) text += fmt::format(" {} {}", option, value);
+    };
+    add(tables != usual.tables, "--nk", fmt::format("{}", fmt::join(tables, ",")));
+    add(!models.empty(), "--models", fmt::format("{}", fmt::join(models, ",")));
+    add(illuminant != usual.illuminant, "--illuminant", illuminant);
+    add(observer != usual.observer, "--observer", observer);
+    add(nm != usual.nm, "--nm", nm);
+    add(angles != usual.angles, "--angles", angles);
+    if (no_render) return text + " --no-render";
+    add(render_size != usual.render_size, "--render-size", render_size);
+    add(spp != usual.spp, "--spp", std::to_string(spp));
+    return text;
+  }
 };
 
 FresnelStudyOptions study_options(const Options& options) {
@@ -53,30 +77,64 @@ void write_json(const std::string& path, const nlohmann::ordered_json& json) {
   });
 }
 
+// Costs are measured on the first material: they do not depend on it.
+void measure(StudyReport& report, Progress& progress) {
+  const std::vector<std::string>& models = report.options.models;
+  const IndexTable& table = *report.materials.front().table;
+  FresnelCostOptions options;
+  options.after_round = [&](int done, int total) {
+    progress.stage("cost of 16 wavelengths", static_cast<double>(done) / total);
+  };
+  report.costs = fresnel_costs(models, table, options);
+  report.call_ns = report.costs.back().ns.median;
+  report.costs.pop_back();
+  options.after_round = [&](int done, int total) {
+    progress.stage("cost of one wavelength", static_cast<double>(done) / total);
+  };
+  report.single_costs = fresnel_single_costs(models, table, options);
+}
+
+FresnelRenders render_rings(const Options& options, const std::vector<std::string>& models,
+                            Progress& progress) {
+  FresnelRenderOptions render;
+  render.scene = data_path("scenes/fresnel_rings.json");
+  render.models = models;
+  std::tie(render.width, render.height) = parse_size(options.render_size);
+  render.spp = options.spp;
+  render.threads = options.threads;
+  render.progress = [&](double done) { progress.stage("renders", done); };
+  return render_fresnel_models(render);
+}
+
+nlohmann::ordered_json write_report(const std::string& folder, const StudyReport& report) {
+  const nlohmann::ordered_json json = study_json(report);
+  write_json(folder + "/study.json", json);
+  write_study_csv(folder, report);
+  write_study_figures(folder, report);
+  if (report.renders) write_study_pictures(folder, *report.renders);
+  write_study_html(folder, report);
+  return json;
+}
+
 int run(const Options& options) {
   StudyReport report;
   report.options = study_options(options);
+  report.command = options.command();
   make_folder(options.folder);
   Progress progress(options.progress, 0.0);
 
   report.materials = study_fresnel_models(report.options, [&](std::size_t done, std::size_t total) {
     progress.stage("errors and colours", static_cast<double>(done) / static_cast<double>(total));
   });
-  FresnelCostOptions cost_options;
-  cost_options.after_round = [&](int done, int total) {
-    progress.stage("costs", static_cast<double>(done) / total);
-  };
-  report.costs =
-      fresnel_costs(report.options.models, *report.materials.front().table, cost_options);
-  report.call_ns = report.costs.back().ns.median;
-  report.costs.pop_back();
+  measure(report, progress);
   report.ranking = rank_fresnel_models(report.materials, report.costs);
+  if (!options.no_render) {
+    report.renders = render_rings(options, report.options.models, progress);
+  }
   report.summary = study_summary(report);
-
-  const nlohmann::ordered_json json = study_json(report);
-  write_json(options.folder + "/study.json", json);
-  write_study_csv(options.folder, report);
-  write_study_html(options.folder + "/index.html", report);
+  progress.stage("writing", 0.0);
+  const nlohmann::ordered_json json = write_report(options.folder, report);
+  progress.stage("writing", 1.0);
   progress.finish();
   if (options.as_json) print_json(json);
   progress.note("report: " + options.folder + "/index.html");
@@ -101,6 +159,14 @@ class FresnelStudyCommand final : public Command {
         ->capture_default_str();
     study->add_option("-o,--output", options->folder, "Folder for the report")
         ->capture_default_str();
+    study->add_flag("--no-render", options->no_render, "Leave the rendered rings out");
+    study->add_option("--render-size", options->render_size, "Size of the rendered pictures")
+        ->capture_default_str();
+    study->add_option("--spp", options->spp, "Samples per pixel of each picture")
+        ->capture_default_str()
+        ->check(number_check(1, 1 << 20));
+    study->add_option("--threads", options->threads, "Threads that render (all)")
+        ->check(number_check(0, 4096));
     study->add_option("--progress", options->progress, "bar, lines, json or none")
         ->check(CLI::IsMember({"bar", "lines", "json", "none"}));
     study->add_flag("--json", options->as_json, "Print study.json too");

@@ -25,15 +25,6 @@ void append(std::string& text, fmt::format_string<Values...> format, Values&&...
   fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
 }
 
-std::string file_name(const FresnelMaterialStudy& material) {
-  std::string name = material.table->provenance().name;
-  for (char& c : name) {
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.';
-    if (!plain) c = '-';
-  }
-  return name;
-}
-
 std::string summary_csv(const StudyReport& report) {
   std::string text =
       "material,model,max_abs_error,mean_abs_error,rms_error,mean_signed_error,max_abs_error_nm,"
@@ -46,7 +37,7 @@ std::string summary_csv(const StudyReport& report) {
              m.error.rms, m.error.mean_signed, m.error.worst_nm, m.error.worst_deg,
              m.colour_error.mean, m.colour_error.max, m.colour_error.worst_deg,
              m.colour_error.albedo, m.albedo_max_abs_error,
-             cost_of(report, m.model).relative.median);
+             cost_of(report.costs, m.model).relative.median);
     }
   }
   return text;
@@ -56,9 +47,26 @@ std::string cost_csv(const StudyReport& report) {
   std::string text =
       "model,wavelengths_per_call,ns_median,ns_lower,ns_upper,relative_median,relative_lower,"
       "relative_upper\n";
-  for (const auto& c : report.costs) {
-    append(text, "{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g}\n", c.model, kLanes, c.ns.median,
-           c.ns.lower, c.ns.upper, c.relative.median, c.relative.lower, c.relative.upper);
+  const auto add = [&](const std::vector<FresnelCost>& costs, int wavelengths) {
+    for (const auto& c : costs) {
+      append(text, "{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g}\n", c.model, wavelengths,
+             c.ns.median, c.ns.lower, c.ns.upper, c.relative.median, c.relative.lower,
+             c.relative.upper);
+    }
+  };
+  add(report.costs, kLanes);
+  add(report.single_costs, 1);
+  return text;
+}
+
+std::string render_csv(const FresnelRenders& renders) {
+  std::string text =
+      "model,delta_e_mean,delta_e_p95,delta_e_max,relative_time_median,relative_time_lower,"
+      "relative_time_upper,cpu_seconds\n";
+  for (const auto& r : renders.models) {
+    append(text, "{},{:.6g},{:.6g},{:.6g},{:.5g},{:.5g},{:.5g},{:.5g}\n", r.model,
+           r.difference.mean, r.difference.p95, r.difference.max, r.relative_time.median,
+           r.relative_time.lower, r.relative_time.upper, r.cpu_seconds);
   }
   return text;
 }
@@ -139,6 +147,7 @@ void write_study_csv(const std::string& folder, const StudyReport& report) {
   write_text(csv + "/cost.csv", cost_csv(report));
   write_text(csv + "/colour.csv", colour_csv(report));
   write_text(csv + "/tables.csv", tables_csv(report));
+  if (report.renders) write_text(csv + "/render.csv", render_csv(*report.renders));
   for (const auto& material : report.materials) {
     const std::string name = file_name(material);
     write_text(csv + "/reflectance-" + name + ".csv", reflectance_csv(report.options.grid, material));

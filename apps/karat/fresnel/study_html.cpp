@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 
 #include "apps/karat/embedded_file.h"
 #include "apps/karat/fresnel/study_report.h"
@@ -30,6 +31,13 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
     }
   }
   return text;
+}
+
+std::string png_url(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw RuntimeError(path + ": cannot be read");
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  return "data:image/png;base64," + base64({bytes.begin(), bytes.end()});
 }
 
 // Little-endian integers of two bytes.
@@ -143,8 +151,18 @@ std::string inside_script(std::string text) {
 
 }  // namespace
 
-void write_study_html(const std::string& file, const StudyReport& report) {
-  const Json data = {{"study", study_json(report)}, {"page", Page(report).json()}};
+void write_study_html(const std::string& folder, const StudyReport& report) {
+  const std::string file = folder + "/index.html";
+  Json data = {{"study", study_json(report)}, {"page", Page(report).json()}};
+  if (report.renders) {
+    Json& render = data["study"]["render"];
+    render["colour_bar"] = png_url(folder + "/pictures/scale.png");
+    for (Json& model : render["models"]) {
+      const std::string name = folder + "/pictures/" + model["model"].get<std::string>();
+      model["picture"] = png_url(name + ".png");
+      model["difference"] = png_url(name + "-difference.png");
+    }
+  }
   std::string page(embedded_file("study.html"));
   replace(page, "{{style}}", embedded_file("study.css"));
   replace(page, "{{charts}}", embedded_file("charts.js"));

@@ -45,13 +45,16 @@ Json material_json(const FresnelMaterialStudy& material) {
 
 Json model_json(const StudyReport& report, const std::string& name) {
   const FresnelModel& model = *Registry<FresnelModel>::instance().find(name);
-  const FresnelCost& cost = cost_of(report, name);
+  const FresnelCost& cost = cost_of(report.costs, name);
+  const FresnelCost& single = cost_of(report.single_costs, name);
   return {{"model", name},
           {"description", model.description()},
           {"source", model.source()},
           {"ns_per_call", spread_json(cost.ns)},
           {"ns_per_wavelength", cost.ns.median / kLanes},
-          {"cost_relative", spread_json(cost.relative)}};
+          {"cost_relative", spread_json(cost.relative)},
+          {"ns_single", spread_json(single.ns)},
+          {"cost_relative_single", spread_json(single.relative)}};
 }
 
 Json result_json(const StudyReport& report, const FresnelMaterialStudy& material,
@@ -69,7 +72,28 @@ Json result_json(const StudyReport& report, const FresnelMaterialStudy& material
           {"delta_e_max_deg", study.colour_error.worst_deg},
           {"delta_e_albedo", study.colour_error.albedo},
           {"albedo_max_abs_error", study.albedo_max_abs_error},
-          {"cost_relative", cost_of(report, study.model).relative.median}};
+          {"cost_relative", cost_of(report.costs, study.model).relative.median}};
+}
+
+Json renders_json(const FresnelRenders& renders) {
+  Json json = {{"width", renders.width},
+               {"height", renders.height},
+               {"spp", renders.spp},
+               {"delta_e_scale", kPictureScale},
+               {"noise_delta_e_mean", renders.noise.mean},
+               {"noise_delta_e_p95", renders.noise.p95},
+               {"fresnel_share", spread_json(renders.fresnel_share)},
+               {"evaluations_per_sample", renders.evaluations_per_sample},
+               {"models", Json::array()}};
+  for (const FresnelRender& render : renders.models) {
+    json["models"].push_back({{"model", render.model},
+                              {"delta_e_mean", render.difference.mean},
+                              {"delta_e_p95", render.difference.p95},
+                              {"delta_e_max", render.difference.max},
+                              {"relative_time", spread_json(render.relative_time)},
+                              {"cpu_seconds", render.cpu_seconds}});
+  }
+  return json;
 }
 
 Json rank_json(const FresnelRank& rank) {
@@ -86,10 +110,10 @@ Json rank_json(const FresnelRank& rank) {
 
 }  // namespace
 
-const FresnelCost& cost_of(const StudyReport& report, const std::string& model) {
-  const auto cost = std::find_if(report.costs.begin(), report.costs.end(),
+const FresnelCost& cost_of(const std::vector<FresnelCost>& costs, const std::string& model) {
+  const auto cost = std::find_if(costs.begin(), costs.end(),
                                  [&](const FresnelCost& c) { return c.model == model; });
-  if (cost == report.costs.end()) throw std::logic_error("no cost of model " + model);
+  if (cost == costs.end()) throw std::logic_error("no cost of model " + model);
   return *cost;
 }
 
@@ -98,6 +122,16 @@ std::string short_name(const FresnelMaterialStudy& material) {
   const std::size_t shelf = name.find('/');
   if (std::count(name.begin(), name.end(), '/') == 2) name.erase(0, shelf + 1);
   std::replace(name.begin(), name.end(), '/', ' ');
+  return name;
+}
+
+std::string file_name(const FresnelMaterialStudy& material) {
+  std::string name = short_name(material);
+  for (char& c : name) {
+    const bool plain =
+        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.';
+    if (!plain) c = '-';
+  }
   return name;
 }
 
@@ -127,6 +161,7 @@ Json study_json(const StudyReport& report) {
       json["results"].push_back(result_json(report, material, study));
     }
   }
+  if (report.renders) json["render"] = renders_json(*report.renders);
   for (const auto& rank : report.ranking) json["ranking"].push_back(rank_json(rank));
   return json;
 }

@@ -47,6 +47,21 @@ std::vector<double> parse_steps(const std::string& option, const std::string& te
   return values;
 }
 
+std::pair<int, int> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool separated = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = separated ? std::from_chars(first.ptr + 1, end, height) : first;
+  const auto allowed = [](int pixels) { return pixels >= 16 && pixels <= 4096; };
+  if (!separated || second.ec != std::errc() || second.ptr != end || !allowed(width) ||
+      !allowed(height)) {
+    throw InputError("--render-size: found \"" + text +
+                     "\", needs WIDTHxHEIGHT, both from 16 to 4096, such as 432x243");
+  }
+  return {width, height};
+}
+
 std::vector<std::string> usual_study_tables() {
   return {"main/Au/Johnson", "main/Ag/Johnson", "main/Cu/Johnson", "main/Al/Rakic",
           "main/Fe/Johnson", "main/Pt/Rakic-BB", "main/Ti/Johnson", "main/Ni/Johnson",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace karat {
@@ -11,6 +12,9 @@ namespace karat {
 // outside [min, max].
 std::vector<double> parse_steps(const std::string& option, const std::string& text, double min,
                                 double max);
+
+// "432x243". Throws InputError.
+std::pair<int, int> parse_size(const std::string& text);
 
 // Twelve metals whose tables cover 380 to 780 nm.
 std::vector<std::string> usual_study_tables();

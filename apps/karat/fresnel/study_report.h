@@ -9,6 +9,7 @@
 #include "materials/fresnel_cost.h"
 #include "materials/fresnel_ranking.h"
 #include "materials/fresnel_study.h"
+#include "render/fresnel_renders.h"
 
 namespace karat {
 
@@ -18,15 +19,18 @@ struct StudyReport {
   std::vector<FresnelMaterialStudy> materials;
   std::vector<FresnelCost> costs;  // of kLanes wavelengths, in the order of the models
   double call_ns = 0.0;            // of a model that does nothing, contained in `costs`
+  std::vector<FresnelCost> single_costs;  // of one wavelength, straight from n and k
+  std::optional<FresnelRenders> renders;
   std::vector<FresnelRank> ranking;
   std::vector<std::string> summary;  // sentences
 };
 
-// The cost of a model of the study.
-const FresnelCost& cost_of(const StudyReport& report, const std::string& model);
+// The cost of a model among `costs`.
+const FresnelCost& cost_of(const std::vector<FresnelCost>& costs, const std::string& model);
 
-// The last part of a table's name that tells it apart in this study: "Au Johnson".
+// "Au Johnson", and the same for names of files: "Au-Johnson".
 std::string short_name(const FresnelMaterialStudy& material);
+std::string file_name(const FresnelMaterialStudy& material);
 
 // Everything but the values over the grid; docs/fresnel.md documents the keys.
 nlohmann::ordered_json study_json(const StudyReport& report);
@@ -34,10 +38,21 @@ nlohmann::ordered_json study_json(const StudyReport& report);
 // Sentences for people, computed from the numbers.
 std::vector<std::string> study_summary(const StudyReport& report);
 
+// The end of the scale of difference pictures: CIEDE2000.
+inline constexpr double kPictureScale = 6.0;
+
+// PNG files of a render and of its difference from exact below `folder`/pictures, and the scale's
+// colours. Throws RuntimeError.
+void write_study_pictures(const std::string& folder, const FresnelRenders& renders);
+
+// figures/*.svg below `folder`. Throws RuntimeError.
+void write_study_figures(const std::string& folder, const StudyReport& report);
+
 // csv/*.csv below `folder`: every number. Throws RuntimeError.
 void write_study_csv(const std::string& folder, const StudyReport& report);
 
-// One page that needs nothing else. Throws RuntimeError.
-void write_study_html(const std::string& file, const StudyReport& report);
+// index.html in `folder`: one page that needs nothing else; the pictures are there already. Throws
+// RuntimeError.
+void write_study_html(const std::string& folder, const StudyReport& report);
 
 }  // namespace karat

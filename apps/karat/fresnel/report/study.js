@@ -187,9 +187,8 @@ function errors() {
     });
     const range = maps.append("div").attr("class", "range");
     const ends = page.wavelengths_nm;
-    range.append("span").text(`${number(ends[0])} nm`);
-    range.append("span").text(n => { const r = result(m, n); return `max ${number(r.max_abs_error)}, mean ${number(r.mean_abs_error)}`; });
-    range.append("span").text(`${number(ends[ends.length - 1])} nm`);
+    range.append("span").text(`${number(ends[0])} to ${number(ends[ends.length - 1])} nm`);
+    range.append("span").text(n => `max ${number(result(m, n).max_abs_error)}`);
     table("#statistics", [
       { title: "model", text: true, value: n => n },
       { title: "max |error|", value: n => result(m, n).max_abs_error },
