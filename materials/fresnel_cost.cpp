@@ -1,10 +1,12 @@
 #include "materials/fresnel_cost.h"
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <numeric>
 #include <random>
 
+#include "materials/fresnel_cost_empty.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -17,24 +19,17 @@ double thread_ns() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-// Returns its table: the price of a call and of the loop around it.
-class Nothing final : public FresnelModel {
- public:
-  std::string description() const override { return "nothing"; }
-  std::string source() const override { return ""; }
-  FresnelTables prepare(const LatticeIndex& index) const override { return {{index.n}}; }
-  SampledSpectrum reflectance(const FresnelTables& tables, int phase, float) const override {
-    return tables.planes[0][phase];
-  }
-  Scalar evaluate(ComplexIndex, double) const override { return {}; }
-};
-
+// Results go to different places: calls wait for each other no more than those of different paths.
 CostKernel kernel_of(const FresnelModel& model, const LatticeIndex& index) {
   return [&model, tables = model.prepare(index)](const std::vector<float>& cosines) {
-    SampledSpectrum sum(0.0f);
+    std::array<SampledSpectrum, kPhases> results;
+    results.fill(SampledSpectrum(0.0f));
     for (std::size_t i = 0; i < cosines.size(); ++i) {
-      sum += model.reflectance(tables, static_cast<int>(i % kPhases), cosines[i]);
+      const std::size_t phase = i % kPhases;
+      results[phase] = model.reflectance(tables, static_cast<int>(phase), cosines[i]);
     }
+    SampledSpectrum sum(0.0f);
+    for (const SampledSpectrum& result : results) sum += result;
     return mean(sum);
   };
 }
@@ -102,9 +97,10 @@ std::vector<FresnelCost> measure_costs(const std::vector<NamedCostKernel>& kerne
   std::vector<std::size_t> order(kernels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937 generator(1);
-  const auto exact = static_cast<std::size_t>(
-      std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.model == "exact"; }) -
-      kernels.begin());
+  const auto exact =
+      static_cast<std::size_t>(std::find_if(kernels.begin(), kernels.end(),
+                                            [](const auto& k) { return k.model == "exact"; }) -
+                               kernels.begin());
   volatile float sink = 0.0f;
   for (int round = -1; round < options.rounds; ++round) {  // the first one warms up
     std::shuffle(order.begin(), order.end(), generator);
@@ -130,15 +126,13 @@ std::vector<FresnelCost> measure_costs(const std::vector<NamedCostKernel>& kerne
 }
 
 std::vector<FresnelCost> fresnel_costs(const std::vector<std::string>& models,
-                                       const IndexTable& table,
-                                       const FresnelCostOptions& options) {
+                                       const IndexTable& table, const FresnelCostOptions& options) {
   const LatticeIndex index = on_lattice(table, WavelengthLattice());
   std::vector<NamedCostKernel> kernels;
   for (const std::string& name : with_exact(models)) {
     kernels.push_back({name, kernel_of(model_named(name), index)});
   }
-  static const Nothing nothing;
-  kernels.push_back({"", kernel_of(nothing, index)});
+  kernels.push_back({"", kernel_of(empty_fresnel_model(), index)});
   return measure_costs(kernels, options);
 }
 

@@ -67,9 +67,10 @@ std::vector<ComplexIndex> indices_at(const IndexTable& table,
   for (const double nm : wavelengths_nm) {
     const ComplexIndex index = table.at(nm);
     if (!(index.n > 0.0 && index.k >= 0.0)) {
-      throw InputError(fmt::format("index table \"{}\": n = {:g}, k = {:g} at {:g} nm; n above 0 "
-                                   "and k at least 0 are needed",
-                                   table.provenance().name, index.n, index.k, nm));
+      throw InputError(
+          fmt::format("index table \"{}\": n = {:g}, k = {:g} at {:g} nm; n above 0 "
+                      "and k at least 0 are needed",
+                      table.provenance().name, index.n, index.k, nm));
     }
     indices.push_back(index);
   }
@@ -113,7 +114,8 @@ LatticeIndex FresnelOnGrid::spread(const IndexTable& table,
   }
   const WavelengthLattice lattice(range);
   const auto slot_of = [](int bin) {  // bin `lane * kPhases + phase`
-    return static_cast<std::size_t>(bin % kPhases) * kLanes + static_cast<std::size_t>(bin / kPhases);
+    return static_cast<std::size_t>(bin % kPhases) * kLanes +
+           static_cast<std::size_t>(bin / kPhases);
   };
   for (const double nm : wavelengths_nm) {
     const double width = lattice.bin_width_nm();
@@ -129,17 +131,18 @@ LatticeIndex FresnelOnGrid::spread(const IndexTable& table,
 void FresnelOnGrid::read(const std::vector<float>& slots, double* values) const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto [slot, next, t] = places_[i];
-    values[i] = t == 0.0 ? double{slots[slot]}
-                         : (1.0 - t) * double{slots[slot]} + t * double{slots[next]};
+    values[i] =
+        t == 0.0 ? double{slots[slot]} : (1.0 - t) * double{slots[slot]} + t * double{slots[next]};
   }
 }
 
 void FresnelOnGrid::reflectance(double cos_theta, double* values) const {
   std::vector<float> slots(phases_ * kLanes);
   for (std::size_t phase = 0; phase < phases_; ++phase) {
-    const SampledSpectrum r = model_.reflectance(tables_, static_cast<int>(phase),
-                                                 static_cast<float>(cos_theta));
-    std::copy(r.lane.begin(), r.lane.end(), slots.begin() + static_cast<std::ptrdiff_t>(phase) * kLanes);
+    const SampledSpectrum r =
+        model_.reflectance(tables_, static_cast<int>(phase), static_cast<float>(cos_theta));
+    std::copy(r.lane.begin(), r.lane.end(),
+              slots.begin() + static_cast<std::ptrdiff_t>(phase) * kLanes);
   }
   read(slots, values);
 }
@@ -147,8 +150,8 @@ void FresnelOnGrid::reflectance(double cos_theta, double* values) const {
 bool FresnelOnGrid::polarised(double cos_theta, double* s, double* p) const {
   std::vector<float> s_slots(phases_ * kLanes), p_slots(phases_ * kLanes);
   for (std::size_t phase = 0; phase < phases_; ++phase) {
-    const auto apart = model_.polarised(tables_, static_cast<int>(phase),
-                                        static_cast<float>(cos_theta));
+    const auto apart =
+        model_.polarised(tables_, static_cast<int>(phase), static_cast<float>(cos_theta));
     if (!apart) return false;
     const auto place = static_cast<std::ptrdiff_t>(phase) * kLanes;
     std::copy(apart->s.lane.begin(), apart->s.lane.end(), s_slots.begin() + place);
@@ -163,16 +166,18 @@ FresnelCurves fresnel_curves(const FresnelModel& model, const IndexTable& table,
   const FresnelOnGrid prepared(model, table, grid.wavelengths_nm);
   const std::size_t wavelengths = grid.wavelengths_nm.size();
   FresnelCurves curves;
-  curves.unpolarised.resize(grid.size()), curves.s.resize(grid.size()), curves.p.resize(grid.size());
+  curves.unpolarised.resize(grid.size()), curves.s.resize(grid.size()),
+      curves.p.resize(grid.size());
   bool polarised = true;
   for (std::size_t a = 0; a < grid.angles_deg.size(); ++a) {
     const double c = cosine(grid.angles_deg[a]);
     prepared.reflectance(c, &curves.unpolarised[a * wavelengths]);
-    polarised = polarised && prepared.polarised(c, &curves.s[a * wavelengths],
-                                                &curves.p[a * wavelengths]);
+    polarised =
+        polarised && prepared.polarised(c, &curves.s[a * wavelengths], &curves.p[a * wavelengths]);
   }
   if (!polarised) curves.s.clear(), curves.p.clear();
-  curves.albedo = albedo_of(wavelengths, [&](double c, double* out) { prepared.reflectance(c, out); });
+  curves.albedo =
+      albedo_of(wavelengths, [&](double c, double* out) { prepared.reflectance(c, out); });
   return curves;
 }
 
@@ -188,7 +193,8 @@ FresnelCurves exact_fresnel_curves(const IndexTable& table, const FresnelGrid& g
     }
   }
   curves.albedo = albedo_of(indices.size(), [&](double c, double* out) {
-    for (std::size_t i = 0; i < indices.size(); ++i) out[i] = exact.evaluate(indices[i], c).unpolarised;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      out[i] = exact.evaluate(indices[i], c).unpolarised;
   });
   return curves;
 }

@@ -11,13 +11,13 @@ namespace karat {
 
 struct FresnelRank {
   std::string model;
-  double cost_relative = 0.0;  // median, "exact" is 1
-  double max_abs_error = 0.0;  // the worst material's
-  double rms_error = 0.0;      // root of the mean square over materials
-  double delta_e_mean = 0.0;   // mean over materials and angles
-  double delta_e_max = 0.0;    // the worst material's and angle's
-  double delta_e_albedo = 0.0; // the worst material's
-  std::string worst_material;  // of delta_e_max
+  double cost_relative = 0.0;   // median, "exact" is 1
+  double max_abs_error = 0.0;   // the worst material's
+  double rms_error = 0.0;       // root of the mean square over materials
+  double delta_e_mean = 0.0;    // mean over materials and angles
+  double delta_e_max = 0.0;     // the worst material's and angle's
+  double delta_e_albedo = 0.0;  // the worst material's
+  std::string worst_material;   // of delta_e_max
   // No other model costs less and has a smaller delta_e_mean.
   bool efficient = false;
 };

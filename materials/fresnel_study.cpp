@@ -42,9 +42,8 @@ FresnelModelStudy study_model(const std::string& name, const FresnelMaterialStud
   study.colour_error =
       fresnel_colour_errors(study.colours, material.colours, options.grid, options.viewing);
   for (std::size_t i = 0; i < study.curves.albedo.size(); ++i) {
-    study.albedo_max_abs_error =
-        std::max(study.albedo_max_abs_error,
-                 std::abs(study.curves.albedo[i] - material.exact.albedo[i]));
+    study.albedo_max_abs_error = std::max(
+        study.albedo_max_abs_error, std::abs(study.curves.albedo[i] - material.exact.albedo[i]));
   }
   return study;
 }

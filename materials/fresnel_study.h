@@ -1,8 +1,8 @@
 // What a Fresnel model is worth on a material: its errors in reflectance and in colour.
 //
 // Computation only: no files, no text. Models run by the renderer's own kernel in single precision;
-// they are measured against the exact equations in double precision, so that the model "exact" shows
-// what rounding costs.
+// they are measured against the exact equations in double precision, so that the model "exact"
+// shows what rounding costs.
 #pragma once
 
 #include <functional>
@@ -101,8 +101,8 @@ struct FresnelMaterialStudy {
   IndexTablePtr table;
   FresnelCurves exact;
   FresnelColours colours;
-  std::vector<FresnelModelStudy> models;         // in the order asked for
-  std::vector<FresnelTableStudy> other_tables;   // in alphabetical order
+  std::vector<FresnelModelStudy> models;        // in the order asked for
+  std::vector<FresnelTableStudy> other_tables;  // in alphabetical order
 };
 
 struct FresnelStudyOptions {
@@ -112,8 +112,8 @@ struct FresnelStudyOptions {
   FresnelViewing viewing;
 };
 
-// All models on all materials, on all threads. `after_each(done, total)` runs after every model on a
-// material, on whatever thread, one call at a time. Throws InputError for unknown names, and as
+// All models on all materials, on all threads. `after_each(done, total)` runs after every model on
+// a material, on whatever thread, one call at a time. Throws InputError for unknown names, and as
 // above.
 std::vector<FresnelMaterialStudy> study_fresnel_models(
     const FresnelStudyOptions& options,

@@ -11,8 +11,8 @@
 namespace karat {
 namespace {
 
-// sum(S xyzbar R) over whole nanometres, with R linear between the grid's wavelengths, is a sum over
-// the grid's own values: these are its weights, scaled to Y = 1 for R = 1.
+// sum(S xyzbar R) over whole nanometres, with R linear between the grid's wavelengths, is a sum
+// over the grid's own values: these are its weights, scaled to Y = 1 for R = 1.
 std::vector<Xyz> colour_weights(const std::vector<double>& wavelengths_nm,
                                 const FresnelViewing& viewing) {
   const SpectrumPtr light = illuminant(viewing.illuminant);
@@ -29,7 +29,7 @@ std::vector<Xyz> colour_weights(const std::vector<double>& wavelengths_nm,
     const double width = wavelengths_nm[j] - wavelengths_nm[i];
     const double t = width > 0.0 ? (nm - wavelengths_nm[i]) / width : 0.0;
     for (int channel = 0; channel < 3; ++channel) {
-      const double value = (*light)(nm) * eye[channel](nm);
+      const double value = (*light)(nm)*eye[channel](nm);
       const auto x = static_cast<std::size_t>(channel);
       weights[i][x] += (1.0 - t) * value;
       weights[j][x] += t * value;

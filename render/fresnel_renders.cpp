@@ -125,7 +125,8 @@ PictureDifference picture_difference(const Image& a, const Image& b) {
   }
   difference.mean = sum / static_cast<double>(pixels);
   std::vector<float> sorted = difference.delta_e;
-  const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(pixels));
+  const auto place =
+      sorted.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(pixels));
   std::nth_element(sorted.begin(), place, sorted.end());
   difference.p95 = double{*place};
   return difference;
@@ -147,7 +148,8 @@ FresnelRenders render_fresnel_models(const FresnelRenderOptions& options) {
       const std::size_t i = (turn + static_cast<std::size_t>(round)) % count;
       contestants[i]->render_samples(first, last);
       if (options.progress) {
-        options.progress((round + static_cast<double>(turn + 1) / static_cast<double>(count)) / rounds);
+        options.progress((round + static_cast<double>(turn + 1) / static_cast<double>(count)) /
+                         rounds);
       }
     }
   }

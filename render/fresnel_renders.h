@@ -15,12 +15,12 @@
 namespace karat {
 
 struct FresnelRenderOptions {
-  std::string scene;                // file
-  std::vector<std::string> models;  // "exact" is rendered whether asked for or not
-  int width = 0, height = 0;        // 0: the scene's own
-  int spp = 64;                     // samples per pixel
-  int rounds = 8;                   // turns; every round adds spp / rounds samples
-  int threads = 0;                  // 0: all
+  std::string scene;                          // file
+  std::vector<std::string> models;            // "exact" is rendered whether asked for or not
+  int width = 0, height = 0;                  // 0: the scene's own
+  int spp = 64;                               // samples per pixel
+  int rounds = 8;                             // turns; every round adds spp / rounds samples
+  int threads = 0;                            // 0: all
   std::function<void(double done)> progress;  // in [0, 1]
 };
 

@@ -28,8 +28,8 @@ struct Folder {
 };
 
 int run_study(const fs::path& folder, std::vector<std::string> more) {
-  std::vector<std::string> arguments{"karat",    "fresnel",    "study", "--progress",
-                                     "none",     "-o",         folder.string()};
+  std::vector<std::string> arguments{"karat", "fresnel", "study",        "--progress",
+                                     "none",  "-o",      folder.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   std::vector<const char*> argv;
   for (const auto& argument : arguments) argv.push_back(argument.c_str());
@@ -45,7 +45,8 @@ std::string text_of(const fs::path& file) {
 
 std::size_t count(const std::string& text, const std::string& word) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    ++found;
   return found;
 }
 
@@ -61,7 +62,8 @@ class HalfMirror final : public FresnelModel {
 };
 
 std::string browser() {
-  for (const char* path : {"/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"}) {
+  for (const char* path :
+       {"/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"}) {
     if (fs::exists(path)) return path;
   }
   return "";
@@ -72,13 +74,14 @@ const std::vector<std::string> kSections{"summary", "reflectance", "errors", "co
 
 }  // namespace
 
-TEST_CASE("a study writes its summary with the documented keys, and every table", "[fresnel_report]") {
+TEST_CASE("a study writes its summary with the documented keys, and every table",
+          "[fresnel_report]") {
   const Folder folder;
   auto& registry = Registry<FresnelModel>::instance();
   registry.add("half-mirror", std::make_unique<const HalfMirror>());
-  const int code = run_study(folder.path, {"--no-render", "--nk", "main/Au/Johnson,main/Al/Rakic",
-                                           "--models", "exact,schlick,half-mirror", "--nm",
-                                           "400:700:20", "--angles", "0:90:5"});
+  const int code = run_study(
+      folder.path, {"--no-render", "--nk", "main/Au/Johnson,main/Al/Rakic", "--models",
+                    "exact,schlick,half-mirror", "--nm", "400:700:20", "--angles", "0:90:5"});
   registry.remove("half-mirror");
   REQUIRE(code == 0);
   const auto study = nlohmann::json::parse(text_of(folder.path / "study.json"));
@@ -97,10 +100,10 @@ TEST_CASE("a study writes its summary with the documented keys, and every table"
   CHECK(found);
   CHECK(study["machine"]["flags"].get<std::string>().size() > 2);
   CHECK_FALSE(study["summary"].empty());
-  for (const char* file : {"csv/summary.csv", "csv/cost.csv", "csv/colour.csv", "csv/tables.csv",
-                           "csv/reflectance-Au-Johnson.csv", "csv/albedo-Al-Rakic.csv",
-                           "figures/reflectance-Au-Johnson.svg", "figures/error-against-cost.svg",
-                           "index.html"}) {
+  for (const char* file :
+       {"csv/summary.csv", "csv/cost.csv", "csv/colour.csv", "csv/tables.csv",
+        "csv/reflectance-Au-Johnson.csv", "csv/albedo-Al-Rakic.csv",
+        "figures/reflectance-Au-Johnson.svg", "figures/error-against-cost.svg", "index.html"}) {
     CAPTURE(file);
     CHECK(fs::file_size(folder.path / file) > 100);
   }
@@ -147,8 +150,9 @@ TEST_CASE("the page of a study with renders needs nothing else, and works in a b
 TEST_CASE("steps of a grid are read or refused with what is allowed", "[fresnel_report]") {
   CHECK(parse_steps("--nm", "400:700:100", 1, 1e6) == std::vector<double>{400, 500, 600, 700});
   CHECK(parse_steps("--angles", "45:45:1", 0, 90) == std::vector<double>{45});
-  for (const char* text : {"", "400", "400:700", "400:700:0", "400:700:-5", "700:400:5", "400:700:7",
-                           "400:700:5:", "a:b:c", "400:700:0.001", "nan:700:5", "0:89:1x"}) {
+  for (const char* text :
+       {"", "400", "400:700", "400:700:0", "400:700:-5", "700:400:5", "400:700:7",
+        "400:700:5:", "a:b:c", "400:700:0.001", "nan:700:5", "0:89:1x"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_steps("--nm", text, 1, 1e6), InputError);
   }

@@ -86,8 +86,7 @@ TEST_CASE("the reference is exact, polarised too", "[fresnel_study]") {
   const FresnelGrid grid = usual_fresnel_grid();
   for (std::size_t i = 0; i < grid.size(); i += 7) {
     const auto [n, k] = table->at(grid.wavelengths_nm[i % 81]);
-    const auto r =
-        reference::fresnel(n, k, std::cos(reference::radians(grid.angles_deg[i / 81])));
+    const auto r = reference::fresnel(n, k, std::cos(reference::radians(grid.angles_deg[i / 81])));
     CHECK(study.exact.s[i] == Approx(r.s).epsilon(0).margin(1e-12));
     CHECK(study.exact.p[i] == Approx(r.p).epsilon(0).margin(1e-12));
     CHECK(study.exact.unpolarised[i] == Approx(r.unpolarised()).epsilon(0).margin(1e-12));
@@ -139,7 +138,7 @@ TEST_CASE("colour errors are CIEDE2000 of sums over nanometres", "[fresnel_study
     Xyz a{}, b{}, white{};
     for (int nm = 380; nm <= 780; ++nm) {
       for (int i = 0; i < 3; ++i) {
-        const double s = (*light)(nm) * eye[i](nm);
+        const double s = (*light)(nm)*eye[i](nm);
         const auto x = static_cast<std::size_t>(i);
         a[x] += between(true)(nm) * s, b[x] += between(false)(nm) * s, white[x] += s;
       }
@@ -172,8 +171,8 @@ TEST_CASE("a grid beyond a table is refused, naming both", "[fresnel_study]") {
   options.tables = {"main/Au/Johnson"};
   options.models = {"exact"};
   options.grid.wavelengths_nm = {100.0, 500.0};
-  CHECK_THROWS_WITH(study_fresnel_models(options),
-                    Catch::Matchers::Contains("main/Au/Johnson") && Catch::Matchers::Contains("100"));
+  CHECK_THROWS_WITH(study_fresnel_models(options), Catch::Matchers::Contains("main/Au/Johnson") &&
+                                                       Catch::Matchers::Contains("100"));
   options.grid = usual_fresnel_grid();
   options.models = {"schlik"};
   CHECK_THROWS_WITH(study_fresnel_models(options), Catch::Matchers::Contains("schlick"));

@@ -32,7 +32,9 @@ std::string summary_csv(const StudyReport& report) {
       "albedo_max_abs_error,cost_relative\n";
   for (const auto& material : report.materials) {
     for (const auto& m : material.models) {
-      append(text, "\"{}\",{},{:.7g},{:.7g},{:.7g},{:.7g},{:g},{:g},{:.6g},{:.6g},{:g},{:.6g},{:.7g},{:.4g}\n",
+      append(text,
+             "\"{}\",{},{:.7g},{:.7g},{:.7g},{:.7g},{:g},{:g},{:.6g},{:.6g},{:g},{:.6g},{:.7g},{:."
+             "4g}\n",
              material.table->provenance().name, m.model, m.error.max_abs, m.error.mean_abs,
              m.error.rms, m.error.mean_signed, m.error.worst_nm, m.error.worst_deg,
              m.colour_error.mean, m.colour_error.max, m.colour_error.worst_deg,
@@ -77,9 +79,9 @@ std::string colour_csv(const StudyReport& report) {
     for (const auto& m : material.models) {
       for (std::size_t a = 0; a < m.colour_error.delta_e.size(); ++a) {
         const Xyz& xyz = m.colours.per_angle[a];
-        append(text, "\"{}\",{},{:g},{:.7g},{:.7g},{:.7g},{:.5g}\n", material.table->provenance().name,
-               m.model, report.options.grid.angles_deg[a], xyz[0], xyz[1], xyz[2],
-               m.colour_error.delta_e[a]);
+        append(text, "\"{}\",{},{:g},{:.7g},{:.7g},{:.7g},{:.5g}\n",
+               material.table->provenance().name, m.model, report.options.grid.angles_deg[a],
+               xyz[0], xyz[1], xyz[2], m.colour_error.delta_e[a]);
       }
     }
   }
@@ -118,7 +120,8 @@ std::string reflectance_csv(const FresnelGrid& grid, const FresnelMaterialStudy&
   text += '\n';
   const std::size_t wavelengths = grid.wavelengths_nm.size();
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    append(text, "{:g},{:g}", grid.angles_deg[i / wavelengths], grid.wavelengths_nm[i % wavelengths]);
+    append(text, "{:g},{:g}", grid.angles_deg[i / wavelengths],
+           grid.wavelengths_nm[i % wavelengths]);
     append_values(text, material.exact, i, 10);
     for (const auto& m : material.models) append_values(text, m.curves, i, 7);
     text += '\n';
@@ -150,7 +153,8 @@ void write_study_csv(const std::string& folder, const StudyReport& report) {
   if (report.renders) write_text(csv + "/render.csv", render_csv(*report.renders));
   for (const auto& material : report.materials) {
     const std::string name = file_name(material);
-    write_text(csv + "/reflectance-" + name + ".csv", reflectance_csv(report.options.grid, material));
+    write_text(csv + "/reflectance-" + name + ".csv",
+               reflectance_csv(report.options.grid, material));
     write_text(csv + "/albedo-" + name + ".csv", albedo_csv(report.options.grid, material));
   }
 }

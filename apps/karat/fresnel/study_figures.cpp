@@ -27,7 +27,8 @@ Series series_of(const StudyReport& report, const std::string& model) {
     return series;
   }
   const auto& models = report.options.models;
-  auto place = static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
+  auto place =
+      static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
   if (place > 0 && models.front() == "exact") --place;
   static constexpr Dash kDashes[]{Dash::kSolid, Dash::kDashed, Dash::kDotted, Dash::kDashDotted};
   series.colour = series_colour(place);
@@ -88,9 +89,8 @@ class Curves {
   }
   Panel over_wavelength(double wanted_deg) const {
     const std::size_t angle = nearest(grid_.angles_deg, wanted_deg);
-    Panel result = panel(grid_.wavelengths_nm, &FresnelCurves::unpolarised, [&](std::size_t i) {
-      return angle * grid_.wavelengths_nm.size() + i;
-    });
+    Panel result = panel(grid_.wavelengths_nm, &FresnelCurves::unpolarised,
+                         [&](std::size_t i) { return angle * grid_.wavelengths_nm.size() + i; });
     result.title = fmt::format("{:g} degrees", grid_.angles_deg[angle]);
     result.x.title = "wavelength (nm)";
     return result;
@@ -107,10 +107,14 @@ std::array<double, 2> edges(const std::vector<double>& values) {
   return {values.front() - 0.5 * step, values.back() + 0.5 * step};
 }
 
+// One bad model would leave the maps of all others white.
+constexpr double kMapLimit = 0.1;
+
 Chart error_maps(const StudyReport& report, const FresnelMaterialStudy& material) {
   const FresnelGrid& grid = report.options.grid;
   double largest = 1e-9;
   for (const auto& study : material.models) largest = std::max(largest, study.error.max_abs);
+  largest = std::min(largest, kMapLimit);
   Chart chart;
   chart.title = short_name(material) + ": model minus exact, unpolarised";
   chart.columns = 3;
@@ -163,7 +167,8 @@ Chart pareto(const StudyReport& report) {
   Series front;
   front.dash = Dash::kDashed, front.width = 1.0;
   std::vector<FresnelRank> ranks = report.ranking;
-  std::sort(ranks.begin(), ranks.end(), [](const auto& a, const auto& b) { return a.cost_relative < b.cost_relative; });
+  std::sort(ranks.begin(), ranks.end(),
+            [](const auto& a, const auto& b) { return a.cost_relative < b.cost_relative; });
   for (const FresnelRank& rank : ranks) {
     Series point = series_of(report, rank.model);
     point.name.clear();
@@ -174,6 +179,7 @@ Chart pareto(const StudyReport& report) {
     if (rank.efficient) front.x.push_back(rank.cost_relative), front.y.push_back(rank.delta_e_mean);
   }
   panel.series.insert(panel.series.begin(), std::move(front));
+  panel.x.min = 0.8 * ranks.front().cost_relative, panel.x.max = 1.4 * ranks.back().cost_relative;
   chart.panels = {panel};
   return chart;
 }

@@ -25,7 +25,8 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (i + j < bytes.size() ? bytes[i + j] : 0);
+    for (std::size_t j = 0; j < 3; ++j)
+      group = group << 8 | (i + j < bytes.size() ? bytes[i + j] : 0);
     for (std::size_t j = 0; j < 4; ++j) {
       text += i + j <= bytes.size() ? kLetters[group >> (18 - 6 * j) & 63] : '=';
     }
@@ -58,7 +59,8 @@ class Page {
     for (const double wanted : {0.0, 30.0, 45.0, 60.0, 70.0, 80.0, 85.0}) {
       const auto& angles = report.options.grid.angles_deg;
       const auto found = std::find(angles.begin(), angles.end(), wanted);
-      if (found != angles.end()) swatch_angles_.push_back(static_cast<std::size_t>(found - angles.begin()));
+      if (found != angles.end())
+        swatch_angles_.push_back(static_cast<std::size_t>(found - angles.begin()));
     }
   }
 
@@ -69,8 +71,10 @@ class Page {
                  {"angles_deg", grid.angles_deg},
                  {"swatch_angles_deg", Json::array()},
                  {"materials", Json::array()}};
-    for (const std::size_t a : swatch_angles_) page["swatch_angles_deg"].push_back(grid.angles_deg[a]);
-    for (const auto& material : report_.materials) page["materials"].push_back(material_json(material));
+    for (const std::size_t a : swatch_angles_)
+      page["swatch_angles_deg"].push_back(grid.angles_deg[a]);
+    for (const auto& material : report_.materials)
+      page["materials"].push_back(material_json(material));
     return page;
   }
 
@@ -121,12 +125,13 @@ class Page {
                    {"swatches", swatches(material.colours)}}},
                  {"models", Json::array()}};
     for (const auto& study : material.models) {
-      json["models"].push_back({{"u", difference(study.curves.unpolarised, material.exact.unpolarised)},
-                                {"s", difference(study.curves.s, material.exact.s)},
-                                {"p", difference(study.curves.p, material.exact.p)},
-                                {"albedo", rounded(study.curves.albedo, 1e7)},
-                                {"delta_e", rounded(study.colour_error.delta_e, 1e5)},
-                                {"swatches", swatches(study.colours)}});
+      json["models"].push_back(
+          {{"u", difference(study.curves.unpolarised, material.exact.unpolarised)},
+           {"s", difference(study.curves.s, material.exact.s)},
+           {"p", difference(study.curves.p, material.exact.p)},
+           {"albedo", rounded(study.curves.albedo, 1e7)},
+           {"delta_e", rounded(study.colour_error.delta_e, 1e5)},
+           {"swatches", swatches(study.colours)}});
     }
     return json;
   }

@@ -136,24 +136,26 @@ std::string file_name(const FresnelMaterialStudy& material) {
 }
 
 Json study_json(const StudyReport& report) {
-  Json json = {{"karat", version()},
-               {"commit", commit()},
-               {"command", report.command},
-               {"grid",
-                {{"wavelengths_nm", report.options.grid.wavelengths_nm},
-                 {"angles_deg", report.options.grid.angles_deg},
-                 {"weighting", "none"}}},
-               {"illuminant", report.options.viewing.illuminant},
-               {"observer", report.options.viewing.observer},
-               {"machine", machine_json()},
-               {"wavelengths_per_call", int{kLanes}},
-               {"call_overhead_ns", report.call_ns},
-               {"published_2005", {{"schlick", 0.28}, {"lazanyi", 0.33}, {"lazanyi-compensated", 0.54}, {"exact", 1.0}}},
-               {"summary", report.summary},
-               {"models", Json::array()},
-               {"materials", Json::array()},
-               {"results", Json::array()},
-               {"ranking", Json::array()}};
+  Json json = {
+      {"karat", version()},
+      {"commit", commit()},
+      {"command", report.command},
+      {"grid",
+       {{"wavelengths_nm", report.options.grid.wavelengths_nm},
+        {"angles_deg", report.options.grid.angles_deg},
+        {"weighting", "none"}}},
+      {"illuminant", report.options.viewing.illuminant},
+      {"observer", report.options.viewing.observer},
+      {"machine", machine_json()},
+      {"wavelengths_per_call", int{kLanes}},
+      {"call_overhead_ns", report.call_ns},
+      {"published_2005",
+       {{"schlick", 0.28}, {"lazanyi", 0.33}, {"lazanyi-compensated", 0.54}, {"exact", 1.0}}},
+      {"summary", report.summary},
+      {"models", Json::array()},
+      {"materials", Json::array()},
+      {"results", Json::array()},
+      {"ranking", Json::array()}};
   for (const auto& name : report.options.models) json["models"].push_back(model_json(report, name));
   for (const auto& material : report.materials) {
     json["materials"].push_back(material_json(material));

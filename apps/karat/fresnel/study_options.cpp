@@ -20,9 +20,10 @@ constexpr double kMostSteps = 512;
 std::vector<double> parse_steps(const std::string& option, const std::string& text, double min,
                                 double max) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(fmt::format("{}: found \"{}\": {}; FIRST:LAST:STEP is needed, both ends "
-                                 "from {:g} to {:g}, such as 380:780:5",
-                                 option, text, why, min, max));
+    throw InputError(
+        fmt::format("{}: found \"{}\": {}; FIRST:LAST:STEP is needed, both ends "
+                    "from {:g} to {:g}, such as 380:780:5",
+                    option, text, why, min, max));
   };
   double numbers[3];
   const char* at = text.data();
@@ -63,14 +64,15 @@ std::pair<int, int> parse_size(const std::string& text) {
 }
 
 std::vector<std::string> usual_study_tables() {
-  return {"main/Au/Johnson", "main/Ag/Johnson", "main/Cu/Johnson", "main/Al/Rakic",
+  return {"main/Au/Johnson", "main/Ag/Johnson",  "main/Cu/Johnson", "main/Al/Rakic",
           "main/Fe/Johnson", "main/Pt/Rakic-BB", "main/Ti/Johnson", "main/Ni/Johnson",
-          "main/Cr/Johnson", "main/W/Rakic-BB", "main/Pd/Johnson", "main/Co/Johnson"};
+          "main/Cr/Johnson", "main/W/Rakic-BB",  "main/Pd/Johnson", "main/Co/Johnson"};
 }
 
 std::vector<std::string> usual_study_models() {
   std::vector<std::string> names = Registry<FresnelModel>::instance().names();
-  std::stable_partition(names.begin(), names.end(), [](const auto& name) { return name == "exact"; });
+  std::stable_partition(names.begin(), names.end(),
+                        [](const auto& name) { return name == "exact"; });
   return names;
 }
 

@@ -17,8 +17,8 @@ struct StudyReport {
   FresnelStudyOptions options;
   std::string command;  // that made it
   std::vector<FresnelMaterialStudy> materials;
-  std::vector<FresnelCost> costs;  // of kLanes wavelengths, in the order of the models
-  double call_ns = 0.0;            // of a model that does nothing, contained in `costs`
+  std::vector<FresnelCost> costs;         // of kLanes wavelengths, in the order of the models
+  double call_ns = 0.0;                   // of a model that does nothing, contained in `costs`
   std::vector<FresnelCost> single_costs;  // of one wavelength, straight from n and k
   std::optional<FresnelRenders> renders;
   std::vector<FresnelRank> ranking;

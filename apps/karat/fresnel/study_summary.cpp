@@ -42,40 +42,46 @@ const FresnelRank* cheapest(const StudyReport& report, F&& accepts) {
 void say_cost(const StudyReport& report, Sentences& sentences) {
   const FresnelCost& exact = cost_of(report.costs, "exact");
   sentences.push_back(fmt::format(
-      "Exact takes {:.1f} ns for {} wavelengths on this machine, of which {:.1f} ns are the call itself; "
+      "Exact takes {:.1f} ns for {} wavelengths on this machine, of which {:.1f} ns are the call "
+      "itself; "
       "alone, straight from n and k in double precision, one wavelength takes {:.0f} ns.",
       exact.ns.median, kLanes, report.call_ns, cost_of(report.single_costs, "exact").ns.median));
 }
 
 std::string choice(const std::string& wish, const FresnelRank* rank) {
   if (!rank) return fmt::format("{}: no model of this study.", wish);
-  return fmt::format("{}: {}, at {} of the cost of exact (colour difference {:.2g} on average, {:.2g} at worst, on {}).",
-                     wish, rank->model, percent(rank->cost_relative), rank->delta_e_mean,
-                     rank->delta_e_max, rank->worst_material);
+  return fmt::format(
+      "{}: {}, at {} of the cost of exact (colour difference {:.2g} on average, {:.2g} at worst, "
+      "on {}).",
+      wish, rank->model, percent(rank->cost_relative), rank->delta_e_mean, rank->delta_e_max,
+      rank->worst_material);
 }
 
 void say_choices(const StudyReport& report, Sentences& sentences) {
-  sentences.push_back(choice(
-      "The cheapest model whose colour cannot be told from exact on any of these materials at any angle (CIEDE2000 below 1)",
-      cheapest(report, [](const FresnelRank& r) { return r.delta_e_max < kVisible2000; })));
+  sentences.push_back(
+      choice("The cheapest model whose colour cannot be told from exact on any of these materials "
+             "at any angle (CIEDE2000 below 1)",
+             cheapest(report, [](const FresnelRank& r) { return r.delta_e_max < kVisible2000; })));
   sentences.push_back(choice(
       "The cheapest whose colour differs by less than 1 on average over angles and materials",
       cheapest(report, [](const FresnelRank& r) { return r.delta_e_mean < kVisible2000; })));
-  sentences.push_back(choice(
-      "The cheapest whose reflectance is never wrong by more than 0.01",
-      cheapest(report, [](const FresnelRank& r) { return r.max_abs_error <= 0.01; })));
+  sentences.push_back(
+      choice("The cheapest whose reflectance is never wrong by more than 0.01",
+             cheapest(report, [](const FresnelRank& r) { return r.max_abs_error <= 0.01; })));
   std::vector<std::string> efficient, beaten;
   for (const FresnelRank& rank : report.ranking) {
     (rank.efficient ? efficient : beaten).push_back(rank.model);
   }
-  sentences.push_back("Worth choosing at all, since no other model is both cheaper and nearer in colour: " +
-                      listed(efficient) + ".");
+  sentences.push_back(
+      "Worth choosing at all, since no other model is both cheaper and nearer in colour: " +
+      listed(efficient) + ".");
   std::vector<std::string> dearer;
   for (const FresnelRank& rank : report.ranking) {
     if (rank.model != "exact" && rank.cost_relative >= 1.0) dearer.push_back(rank.model);
   }
   if (!dearer.empty()) {
-    sentences.push_back("Approximations that cost as much as exact or more, and so save nothing: " + listed(dearer) + ".");
+    sentences.push_back("Approximations that cost as much as exact or more, and so save nothing: " +
+                        listed(dearer) + ".");
   }
 }
 
@@ -88,11 +94,13 @@ void say_same(const StudyReport& report, Sentences& sentences) {
       for (const auto& material : report.materials) {
         const GridValues& a = material.models[i].curves.unpolarised;
         const GridValues& b = material.models[j].curves.unpolarised;
-        for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, std::abs(a[v] - b[v]));
+        for (std::size_t v = 0; v < a.size(); ++v)
+          largest = std::max(largest, std::abs(a[v] - b[v]));
       }
       if (largest > kSame) continue;
-      sentences.push_back(fmt::format("{} and {} are the same function: they differ by at most {:.0e}, which is rounding.",
-                                      models[i], models[j], largest));
+      sentences.push_back(fmt::format(
+          "{} and {} are the same function: they differ by at most {:.0e}, which is rounding.",
+          models[i], models[j], largest));
     }
   }
 }
@@ -104,7 +112,8 @@ void say_2005(const StudyReport& report, Sentences& sentences) {
   for (const auto& [name, published] : kPublished) {
     const FresnelRank* rank = rank_named(report, name);
     if (!rank) continue;
-    parts.push_back(fmt::format("{} {} (then {})", name, percent(rank->cost_relative), percent(published)));
+    parts.push_back(
+        fmt::format("{} {} (then {})", name, percent(rank->cost_relative), percent(published)));
   }
   if (parts.empty()) return;
   sentences.push_back("Against the figures of 2005, relative to exact: " + listed(parts) + ".");
@@ -126,24 +135,28 @@ void say_tables(const StudyReport& report, Sentences& sentences) {
     ++approximations;
     if (rank.delta_e_mean < tables) below.push_back(rank.model);
   }
-  sentences.push_back(fmt::format(
-      "Other measurements of the same materials differ from the tables used here by {:.1f} on average ({} tables): more "
-      "than {} of the {} approximations do from exact.",
-      tables, count, below.size(), approximations));
+  sentences.push_back(
+      fmt::format("Other measurements of the same materials differ from the tables used here by "
+                  "{:.1f} on average ({} tables): more "
+                  "than {} of the {} approximations do from exact.",
+                  tables, count, below.size(), approximations));
 }
 
 void say_render(const StudyReport& report, Sentences& sentences) {
   if (!report.renders) return;
   const FresnelRenders& renders = *report.renders;
-  sentences.push_back(fmt::format(
-      "In the render of rings, exact Fresnel takes {:.1f} % of the time: no approximation can save more than that.",
-      100.0 * renders.fresnel_share.median));
+  sentences.push_back(
+      fmt::format("In the render of rings, exact Fresnel takes {:.1f} % of the time: no "
+                  "approximation can save more than that.",
+                  100.0 * renders.fresnel_share.median));
   const auto fastest = std::min_element(
       renders.models.begin(), renders.models.end(),
       [](const auto& a, const auto& b) { return a.relative_time.median < b.relative_time.median; });
-  sentences.push_back(fmt::format("The fastest whole render, with {}, takes {:.1f} % of the time of exact (quartiles {:.1f} to {:.1f} %).",
-                                  fastest->model, 100.0 * fastest->relative_time.median,
-                                  100.0 * fastest->relative_time.lower, 100.0 * fastest->relative_time.upper));
+  sentences.push_back(
+      fmt::format("The fastest whole render, with {}, takes {:.1f} % of the time of exact "
+                  "(quartiles {:.1f} to {:.1f} %).",
+                  fastest->model, 100.0 * fastest->relative_time.median,
+                  100.0 * fastest->relative_time.lower, 100.0 * fastest->relative_time.upper));
 }
 
 }  // namespace

@@ -5,7 +5,10 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const study = data.study, page = data.page;
 const names = study.models.map(m => m.model);
-const state = { shown: new Set(names), material: 0, pol: "u", metric: "delta_e_mean" };
+// A model that is wrong by more would leave all others flat; the legend switches it on.
+const kHiddenAbove = 10;
+const hidden = study.ranking.filter(r => r.delta_e_mean > kHiddenAbove).map(r => r.model);
+const state = { shown: new Set(names.filter(n => !hidden.includes(n))), material: 0, pol: "u", metric: "delta_e_mean" };
 const redraws = [];
 const redraw = () => redraws.forEach(f => f());
 
@@ -38,7 +41,7 @@ function legend() {
   for (const [text, set] of [["all", () => names], ["none", () => ["exact"]]]) {
     root.append("button").attr("class", "plain").text(text).on("click", () => { state.shown = new Set(set()); refresh(); });
   }
-  buttons.attr("aria-pressed", true);
+  buttons.attr("aria-pressed", n => state.shown.has(n));
 }
 
 // --- Values over the grid.
@@ -95,7 +98,7 @@ function summary() {
   d3.select("#about").text(`${names.length} models on ${study.materials.length} materials; ` +
     `${study.grid.wavelengths_nm.length} wavelengths and ${study.grid.angles_deg.length} angles, unweighted; colours under ` +
     `${study.illuminant} (${study.observer}); costs on ${study.machine.processor}, ${study.machine.compiler}. ` +
-    "Double click on a chart zooms in, Ctrl and the wheel zoom both ways, dragging moves, the legend switches models everywhere.");
+    "Double click on a chart zooms in, Ctrl and the wheel zoom both ways, dragging moves, the legend switches models everywhere" + (hidden.length ? `; off at first, since far from exact: ${hidden.join(", ")}.` : "."));
   d3.select("#findings").selectAll("li").data(study.summary).enter().append("li").text(s => s);
   table("#ranking", [
     { title: "model", text: true, value: r => r.model },
