@@ -109,6 +109,7 @@ std::array<double, 2> edges(const std::vector<double>& values) {
 
 // One bad model would leave the maps of all others white.
 constexpr double kMapLimit = 0.1;
+constexpr double kColourLimit = 12.0;
 
 Chart error_maps(const StudyReport& report, const FresnelMaterialStudy& material) {
   const FresnelGrid& grid = report.options.grid;
@@ -150,8 +151,11 @@ Chart colour_errors(const StudyReport& report, const FresnelMaterialStudy& mater
   for (const auto& study : material.models) {
     Series series = series_of(report, study.model);
     series.x = report.options.grid.angles_deg, series.y = study.colour_error.delta_e;
+    // Nobody needs to know how wrong something is beyond that; the page has the whole range.
+    if (study.colour_error.max > kColourLimit) panel.y.max = kColourLimit;
     panel.series.push_back(std::move(series));
   }
+  panel.y.min = 0.0;
   chart.panels = {panel};
   return chart;
 }

@@ -263,7 +263,7 @@ function cost() {
     { title: "relative", value: d => d.cost_relative.median, format: d3.format(".3f") },
     { title: "relative,<br>2005", value: d => published[d.model] || null }];
   if (study.models.some(d => d.ns_single)) {
-    cells.splice(4, 0, { title: "ns per single<br>wavelength", value: d => d.ns_single.median }, { title: "relative,<br>single", value: d => d.cost_relative_single.median, format: d3.format(".3f") });
+    cells.splice(6, 0, { title: "ns per single<br>wavelength", value: d => d.ns_single.median }, { title: "relative,<br>single", value: d => d.cost_relative_single.median, format: d3.format(".3f") });
   }
   table("#cost-table", cells, sorted);
 }
