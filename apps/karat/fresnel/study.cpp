@@ -120,6 +120,7 @@ int run(const Options& options) {
   StudyReport report;
   report.options = study_options(options);
   report.command = options.command();
+  parse_size(options.render_size);  // refused before anything is computed
   make_folder(options.folder);
   Progress progress(options.progress, 0.0);
 
@@ -164,7 +165,7 @@ class FresnelStudyCommand final : public Command {
         ->capture_default_str();
     study->add_option("--spp", options->spp, "Samples per pixel of each picture")
         ->capture_default_str()
-        ->check(number_check(1, 1 << 20));
+        ->check(number_check(1, 65536));
     study->add_option("--threads", options->threads, "Threads that render (all)")
         ->check(number_check(0, 4096));
     study->add_option("--progress", options->progress, "bar, lines, json or none")

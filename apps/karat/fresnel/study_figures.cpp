@@ -18,6 +18,8 @@ std::size_t nearest(const std::vector<double>& values, double wanted) {
   return static_cast<std::size_t>(found - values.begin());
 }
 
+constexpr std::size_t kColours = 6;  // of series_colour(), before its black
+
 // The same colour and dash for a model in all figures; exact is black.
 Series series_of(const StudyReport& report, const std::string& model) {
   Series series;
@@ -31,8 +33,8 @@ Series series_of(const StudyReport& report, const std::string& model) {
       static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
   if (place > 0 && models.front() == "exact") --place;
   static constexpr Dash kDashes[]{Dash::kSolid, Dash::kDashed, Dash::kDotted, Dash::kDashDotted};
-  series.colour = series_colour(place);
-  series.dash = kDashes[place / 7 % 4];
+  series.colour = series_colour(place % kColours);
+  series.dash = kDashes[place / kColours % 4];
   return series;
 }
 

@@ -22,8 +22,8 @@ std::vector<double> parse_steps(const std::string& option, const std::string& te
   const auto fail = [&](const std::string& why) {
     throw InputError(
         fmt::format("{}: found \"{}\": {}; FIRST:LAST:STEP is needed, both ends "
-                    "from {:g} to {:g}, such as 380:780:5",
-                    option, text, why, min, max));
+                    "from {:g} to {:g}, such as {}",
+                    option, text, why, min, max, max <= 90.0 ? "0:89:1" : "380:780:5"));
   };
   double numbers[3];
   const char* at = text.data();
