@@ -45,7 +45,7 @@ struct FresnelRenders {
   // Two renders with exact and different random numbers: differences below this are noise.
   PictureDifference noise;
   // The part of the render's time that the exact model takes: from renders in which it is evaluated
-  // nine times at every place, and paths stay what they are.
+  // 65 times at every place, and paths stay what they are.
   CostSpread fresnel_share;
   double evaluations_per_sample = 0.0;  // calls for all wavelengths, per camera sample
 };

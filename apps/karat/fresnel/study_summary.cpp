@@ -147,7 +147,7 @@ void say_render(const StudyReport& report, Sentences& sentences) {
   if (!report.renders) return;
   const FresnelRenders& renders = *report.renders;
   sentences.push_back(
-      fmt::format("In the render of rings, exact Fresnel takes {:.1f} % of the time: no "
+      fmt::format("In the render of rings, exact Fresnel takes {:.2g} % of the time: no "
                   "approximation can save more than that.",
                   100.0 * renders.fresnel_share.median));
   // Of pictures that differ by less than noise: a darker metal ends paths earlier.

@@ -273,8 +273,8 @@ function render() {
   if (!r) { d3.select("#render").append("p").text("This study was made without renders (--no-render)."); return; }
   d3.select("#render-text").text(`Copper, silver and aluminium rings, ${r.width} x ${r.height} pixels, ${r.spp} samples per pixel, the same random numbers for ` +
     `every model. Left the picture, right CIEDE2000 per pixel against exact, from 0 (dark) to ${number(r.delta_e_scale)} (bright). Two exact renders with different random ` +
-    `numbers differ by ${number(r.noise_delta_e_mean)} on average: that is noise. Fresnel takes ${d3.format(".1%")(r.fresnel_share.median)} of the whole render's time ` +
-    `(exact; quartiles ${d3.format(".1%")(r.fresnel_share.lower)} to ${d3.format(".1%")(r.fresnel_share.upper)}), ${number(r.evaluations_per_sample)} evaluations per camera sample.`);
+    `numbers differ by ${number(r.noise_delta_e_mean)} on average: that is noise. Fresnel takes ${d3.format(".2%")(r.fresnel_share.median)} of the whole render's time ` +
+    `(exact; quartiles ${d3.format(".2%")(r.fresnel_share.lower)} to ${d3.format(".2%")(r.fresnel_share.upper)}), ${number(r.evaluations_per_sample)} evaluations per camera sample.`);
   const bar = d3.select("#pictures").append("div").style("grid-column", "1 / -1").append("svg").attr("width", 440).attr("height", 38);
   bar.append("image").attr("href", r.colour_bar).attr("x", 10).attr("width", 400).attr("height", 14).attr("preserveAspectRatio", "none");
   bar.selectAll("text").data([0, 0.25, 0.5, 0.75, 1]).enter().append("text").attr("x", t => 10 + 400 * t).attr("y", 30).attr("font-size", 12)
