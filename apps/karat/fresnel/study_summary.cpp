@@ -151,19 +151,21 @@ void say_render(const StudyReport& report, Sentences& sentences) {
                   "approximation can save more than that.",
                   100.0 * renders.fresnel_share.median));
   // Of pictures that differ by less than noise: a darker metal ends paths earlier.
-  const FresnelRender* fastest = nullptr;
+  std::vector<double> times;
   for (const FresnelRender& render : renders.models) {
     if (render.model == "exact" || render.difference.mean > renders.noise.mean) continue;
-    if (!fastest || render.relative_time.median < fastest->relative_time.median) fastest = &render;
+    times.push_back(render.relative_time.median);
   }
-  if (!fastest) return;
-  const CostSpread& time = fastest->relative_time;
-  sentences.push_back(
-      fmt::format("Of the approximations whose picture differs from exact by less than the noise "
-                  "does, {} renders fastest, in "
-                  "{:.1f} % of the time of exact (quartiles {:.1f} to {:.1f} %){}.",
-                  fastest->model, 100.0 * time.median, 100.0 * time.lower, 100.0 * time.upper,
-                  time.upper >= 1.0 ? ": no difference that can be measured here" : ""));
+  if (times.empty()) return;
+  const auto [least, most] = std::minmax_element(times.begin(), times.end());
+  sentences.push_back(fmt::format(
+      "Whole renders whose picture differs from exact by less than the noise does took {:.1f} to "
+      "{:.1f} % of the time of "
+      "exact{}.",
+      100.0 * *least, 100.0 * *most,
+      1.0 - *least > renders.fresnel_share.upper
+          ? "; what goes beyond the share of the term is the machine's noise, and other paths"
+          : ""));
 }
 
 }  // namespace
