@@ -26,7 +26,7 @@ enum ExactPlane { kExactReal, kExactRealRest, kExactImaginary, kExactPlanes };
 
 // In the float kernel the eighth power of an index must stay below the largest float. At this limit
 // a surface reflects 1 - 1.4e-4 at normal incidence.
-inline constexpr double kLargestIndex = 3e4;
+inline constexpr double kLargestKernelIndex = 3e4;
 
 // The least L^2, reached at the critical angle itself, and the least denominator. The cube of the
 // former is above the latter, so that at exactly 90 degrees even a matched index (n = 1, k = 0),
@@ -79,7 +79,7 @@ FresnelTables exact_tables(const LatticeIndex& index, F&& index_at) {
   for (int phase = 0; phase < kPhases; ++phase) {
     for (int i = 0; i < kLanes; ++i) {
       const ComplexIndex m = index_at(double{index.n[phase][i]}, double{index.k[phase][i]});
-      const double n = std::min(m.n, kLargestIndex), k = std::min(m.k, kLargestIndex);
+      const double n = std::min(m.n, kLargestKernelIndex), k = std::min(m.k, kLargestKernelIndex);
       const double real = (n - 1.0) * (n + 1.0) - k * k;
       const float rounded = static_cast<float>(real);
       tables.planes[kExactReal][phase][i] = rounded;

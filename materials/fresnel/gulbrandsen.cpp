@@ -36,7 +36,8 @@ struct Reflectivity {
   ComplexIndex index(double tint) const {
     const double n = std::max(tint * least_n + (1.0 - tint) * largest_n, 0.0);
     const double k2 = (r * (n + 1.0) * (n + 1.0) - (n - 1.0) * (n - 1.0)) / absorptance;
-    return {std::min(n, kLargestIndex), std::min(std::sqrt(std::max(k2, 0.0)), kLargestIndex)};
+    return {std::min(n, kLargestKernelIndex),
+            std::min(std::sqrt(std::max(k2, 0.0)), kLargestKernelIndex)};
   }
 };
 
