@@ -69,7 +69,7 @@ void require_same(const std::string& path, const std::string& what, const std::s
   if (found == needed) return;
   throw InputError(
       path, "checkpoint",
-      fmt::format("of another scene: its {} is {}, the scene's is {}", what, found, needed));
+      fmt::format("of another render: its {} is {}, this one's is {}", what, found, needed));
 }
 
 std::string crop_text(const Header& h) {
@@ -81,7 +81,10 @@ void require_same_scene(const std::string& path, const Header& found, const Head
   require_same(path, "crop", crop_text(found), crop_text(needed));
   require_same(path, "seed", integer(found.seed), integer(needed.seed));
   require_same(path, "number of lanes", integer(found.lanes), integer(needed.lanes));
-  require_same(path, "number of feature films", integer(found.features), integer(needed.features));
+  const auto features = [](const Header& h) -> std::string {
+    return h.features != 0 ? "kept" : "not kept";
+  };
+  require_same(path, "set of feature layers (--aov)", features(found), features(needed));
   require_same(path, "number of spectral bins", integer(found.spectral_bins),
                integer(needed.spectral_bins));
   require_same(path, "content (scene file, changes to it, or version of Karat)",

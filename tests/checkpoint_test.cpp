@@ -50,7 +50,7 @@ TEST_CASE("resuming from a checkpoint gives the bits of one uninterrupted render
   CHECK(resumed.save() == expected.save());
 }
 
-TEST_CASE("a checkpoint of another scene: what differs is named", "[checkpoint]") {
+TEST_CASE("a checkpoint of another render: what differs is named", "[checkpoint]") {
   const TemporaryFile file;
   const Scene scene = scene_with(4);
   save_checkpoint(file.path, scene, film_of(scene), 0);
