@@ -126,7 +126,7 @@ void print_table(const Options& options, const IndexTable& table, const FresnelF
 
 int fit(const Options& options) {
   const FresnelModel& model = *Models::instance().find(options.model);
-  const IndexTablePtr table = find_index_table(options.page);
+  const IndexTablePtr table = find_index_table(full_index_name(options.page));
   const FresnelFits fits =
       fit_material(model, *table, wavelengths_of(options.wavelengths),
                    {options.n_exterior, options.over_range, named_values(options.fixed)});

@@ -69,7 +69,7 @@ int run_check(const Options& options) {
   json all = json::array();
   bool bad = false;
   for (const std::string& name : options.names) {
-    const IndexTablePtr table = find_index_table(name);
+    const IndexTablePtr table = find_index_table(full_index_name(name));
     const std::vector<IndexCheck> checks = check_index_table(table);
     bad = bad || std::any_of(checks.begin(), checks.end(), [](const IndexCheck& check) {
             return check.verdict == Verdict::kBad;
@@ -90,7 +90,10 @@ class NkCheck final : public Command {
     const auto options = std::make_shared<Options>();
     CLI::App* check = nk.add_subcommand(
         "check", "Passivity, sampling, smoothness and Kramers-Kronig consistency of tables");
-    check->add_option("names", options->names, "Tables to check")->required();
+    check
+        ->add_option("names", options->names,
+                     "Tables to check: main/Au/Johnson, short Au/Johnson, or files")
+        ->required();
     check->add_flag("--strict", options->strict, "Exit code 1 where a check says \"bad\"");
     check->add_flag("--json", options->as_json, "Machine-readable output");
     check->footer("Example: karat nk check main/Au/Johnson");

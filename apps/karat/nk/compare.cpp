@@ -11,6 +11,7 @@
 #include "apps/karat/nk/colour_options.h"
 #include "apps/karat/nk/compare_picture.h"
 #include "apps/karat/number_list.h"
+#include "apps/karat/picture_check.h"
 #include "apps/karat/swatch.h"
 #include "materials/index_catalogue.h"
 #include "materials/index_compare.h"
@@ -255,10 +256,7 @@ class NkCompare final : public Command {
                     "Wavelengths of the reflectances F0, in nm (450,550,650)", 1e-3, 1e15);
     add_colour_options(*compare, options->colour);
     compare->add_option("-o,--output", options->picture, "A picture of the colours: .png or .svg")
-        ->check([](const std::string& file) -> std::string {
-          const bool known = file.ends_with(".png") || file.ends_with(".svg");
-          return known ? "" : "found \"" + file + "\", allowed: a file ending in .png or .svg";
-        });
+        ->check(picture_check);
     compare->add_flag("--models", options->models,
                       "Also how far each Fresnel model is from the exact one for the most typical "
                       "table, at 45, 60, 75 and 85 degrees");

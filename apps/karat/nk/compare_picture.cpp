@@ -3,13 +3,12 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "apps/karat/swatch.h"
+#include "render/image_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -135,28 +134,25 @@ void write_swatches(const std::string& file, const std::string& heading,
                     const std::string& small_print, const std::vector<Swatch>& swatches) {
   constexpr double kPixels = 1.5;  // per unit, in PNG
   const Grid grid = grid_of(swatches.size());
-  const std::string own = fmt::format("{}.{}.tmp", file, ::getpid());
-  cairo_status_t status;
-  if (file.ends_with(".svg")) {
-    const Surface surface(cairo_svg_surface_create(own.c_str(), grid.width(), grid.height()));
-    Drawing drawing(surface.get(), 1.0);
-    draw(drawing, grid, heading, small_print, swatches);
-    cairo_surface_finish(surface.get());
-    status = cairo_surface_status(surface.get());
-  } else {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                     static_cast<int>(grid.width() * kPixels),
-                                                     static_cast<int>(grid.height() * kPixels)));
-    Drawing drawing(surface.get(), kPixels);
-    draw(drawing, grid, heading, small_print, swatches);
-    status = cairo_surface_write_to_png(surface.get(), own.c_str());
-  }
-  std::error_code error;
-  if (status == CAIRO_STATUS_SUCCESS) std::filesystem::rename(own, file, error);
-  if (status == CAIRO_STATUS_SUCCESS && !error) return;
-  const std::string reason = error ? error.message() : std::string(cairo_status_to_string(status));
-  std::filesystem::remove(own, error);
-  throw RuntimeError(file + " cannot be written: " + reason);
+  replace_file(file, [&](const std::string& temporary) {
+    cairo_status_t status;
+    if (file.ends_with(".svg")) {
+      const Surface surface(
+          cairo_svg_surface_create(temporary.c_str(), grid.width(), grid.height()));
+      Drawing drawing(surface.get(), 1.0);
+      draw(drawing, grid, heading, small_print, swatches);
+      cairo_surface_finish(surface.get());
+      status = cairo_surface_status(surface.get());
+    } else {
+      const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                                       static_cast<int>(grid.width() * kPixels),
+                                                       static_cast<int>(grid.height() * kPixels)));
+      Drawing drawing(surface.get(), kPixels);
+      draw(drawing, grid, heading, small_print, swatches);
+      status = cairo_surface_write_to_png(surface.get(), temporary.c_str());
+    }
+    if (status != CAIRO_STATUS_SUCCESS) throw RuntimeError(cairo_status_to_string(status));
+  });
 }
 
 }  // namespace karat

@@ -32,7 +32,7 @@ const char* origin_of(IndexPathEntry::Kind kind) {
 }
 
 int run_file(const Options& options) {
-  const std::string file = find_index_table(options.name)->provenance().file;
+  const std::string file = find_index_table(full_index_name(options.name))->provenance().file;
   if (options.as_json) {
     print_json(json{{"name", options.name}, {"file", file}});
   } else {
@@ -66,7 +66,8 @@ class NkPath final : public Command {
     const auto options = std::make_shared<Options>();
     CLI::App* path =
         nk.add_subcommand("path", "The folders of tables, in order; or the file a name means");
-    path->add_option("name", options->name, "A table: its file is printed");
+    path->add_option("name", options->name,
+                     "A table, main/Au/Johnson or short Au/Johnson: its file is printed");
     path->add_flag("--json", options->as_json, "Machine-readable output");
     path->footer("Example: karat nk path main/Au/Johnson");
     path->callback([&action, options] {

@@ -8,6 +8,7 @@
 #include "apps/karat/command.h"
 #include "apps/karat/nk/index_chart.h"
 #include "apps/karat/number_check.h"
+#include "apps/karat/picture_check.h"
 #include "materials/index_catalogue.h"
 #include "materials/index_interpolation.h"
 
@@ -47,7 +48,7 @@ int run_plot(const Options& options) {
   const Interpolation interpolation = interpolation_named(options.interpolation);
   std::vector<IndexTablePtr> tables;
   for (const std::string& name : options.names) {
-    tables.push_back(interpolated(find_index_table(name), interpolation));
+    tables.push_back(interpolated(find_index_table(full_index_name(name)), interpolation));
   }
   draw_chart(index_chart(tables, chart_options(options)), options.output);
   fmt::print("{}\n", options.output);
@@ -59,8 +60,12 @@ class NkPlot final : public Command {
   void add_to(CLI::App& nk, std::function<int()>& action) const override {
     const auto options = std::make_shared<Options>();
     CLI::App* plot = nk.add_subcommand("plot", "Draw n, k and reflectance over wavelength");
-    plot->add_option("names", options->names, "Tables, drawn over each other")->required();
-    plot->add_option("-o,--output", options->output, "Picture to write: .svg or .png")->required();
+    plot->add_option("names", options->names,
+                     "Tables, drawn over each other: main/Au/Johnson, short Au/Johnson, or files")
+        ->required();
+    plot->add_option("-o,--output", options->output, "Picture to write: .svg or .png")
+        ->required()
+        ->check(picture_check);
     plot->add_option("--nm", options->range_nm, "From one wavelength to another: 300:900")
         ->delimiter(':')
         ->expected(2)
