@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cstdint>
 #include <utility>
 
 #include "materials/index_import/database_text.h"
@@ -167,19 +166,7 @@ IndexImport import_index_text(std::string_view text, const std::string& file,
 }
 
 IndexImport import_index_file(const std::string& path, const IndexImportOptions& options) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "", "no such file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw InputError(path, "", "cannot be read: " + error.message());
-  if (size > kLargestFile) {
-    throw InputError(path, "", fmt::format("{} bytes; a table has at most {}", size, kLargestFile));
-  }
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(text.data(), static_cast<std::streamsize>(size))) {
-    throw InputError(path, "", "cannot be read");
-  }
-  return import_index_text(text, path, options);
+  return import_index_text(read_index_file(path), path, options);
 }
 
 }  // namespace karat

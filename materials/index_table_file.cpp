@@ -242,9 +242,17 @@ IndexTablePtr load(const std::string& text, const std::string& origin, Provenanc
   }
 }
 
-std::string read_text(const std::string& path) {
+}  // namespace
+
+std::string read_index_file(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "", "no such file");
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::is_regular_file(status)) {
+    throw InputError(path, "",
+                     std::filesystem::is_directory(status) ? "a folder, not a file"
+                     : std::filesystem::exists(status)     ? "not a regular file"
+                                                           : "no such file");
+  }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw InputError(path, "", "cannot be read: " + error.message());
   if (size > kLargestFile) {
@@ -259,8 +267,6 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-}  // namespace
-
 IndexTablePtr load_index_table_file(const std::string& path, const std::string& name) {
   std::vector<IndexBlock> blocks;
   return load_index_table_file(path, name, blocks);
@@ -268,7 +274,7 @@ IndexTablePtr load_index_table_file(const std::string& path, const std::string& 
 
 IndexTablePtr load_index_table_file(const std::string& path, const std::string& name,
                                     std::vector<IndexBlock>& blocks) {
-  return load(read_text(path), path, {name, path, "", "", ""}, blocks);
+  return load(read_index_file(path), path, {name, path, "", "", ""}, blocks);
 }
 
 IndexTablePtr load_index_table_text(const std::string& text, const std::string& name) {

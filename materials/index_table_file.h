@@ -16,6 +16,10 @@ namespace karat {
 IndexTablePtr load_index_table_file(const std::string& path, const std::string& name);
 IndexTablePtr load_index_table_text(const std::string& text, const std::string& name);
 
+// The text of a file that is to be a table. Throws InputError naming the file where it is none, a
+// folder, unreadable, or larger than 16 MiB.
+std::string read_index_file(const std::string& path);
+
 // A DATA block as a file lists it.
 struct IndexBlock {
   std::string type;      // "tabulated nk", "formula 2"

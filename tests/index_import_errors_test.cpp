@@ -179,5 +179,5 @@ TEST_CASE("limits hold before memory is taken", "[index][import]") {
              Contains("line 2: an index of") && Contains("is plausible"));
   CHECK_THROWS_WITH(import_index_file("/nonexistent/a.csv", {}),
                     "/nonexistent/a.csv: no such file");
-  CHECK_THROWS_WITH(import_index_file("/tmp", {}), "/tmp: no such file");
+  CHECK_THROWS_WITH(import_index_file("/tmp", {}), "/tmp: a folder, not a file");
 }

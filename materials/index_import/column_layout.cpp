@@ -84,6 +84,22 @@ void find_unit(ColumnLayout& layout, const BlockHead& head, std::size_t count, c
   if (!layout.unit) layout.unit_source.clear();
 }
 
+// The unit in the file's own name of the axis, "Wavelength (nm)", where the caller says what the
+// columns are.
+void find_named_unit(ColumnLayout& layout, const BlockHead& head, char separator) {
+  for (const auto* lines : {&head.header, &head.comments}) {
+    for (const TextLine& line : *lines) {
+      const auto names = header_names(line.text, separator, 2);
+      if (layout.unit || layout.columns[0] >= names.size()) continue;
+      const ColumnMeaning axis = column_meaning(names[layout.columns[0]]);
+      if (axis.quantity != Quantity::kAxis || !axis.unit) continue;
+      layout.axis = axis.axis;
+      layout.unit = axis.unit;
+      layout.unit_source = line_place(line.number);
+    }
+  }
+}
+
 void reject_repeats(const std::vector<ColumnMeaning>& meanings, const IndexSource& source,
                     std::size_t line) {
   for (const Quantity quantity : {Quantity::kN, Quantity::kK, Quantity::kEps1, Quantity::kEps2}) {
@@ -142,8 +158,8 @@ std::string ColumnLayout::description() const {
   return text;
 }
 
-ColumnLayout layout_of_names(const ColumnNames& names, std::size_t count, const IndexSource& source,
-                             std::size_t line) {
+ColumnLayout layout_of_names(const ColumnNames& names, const BlockHead& head, std::size_t count,
+                             char separator, const IndexSource& source, std::size_t line) {
   if (names.size() > count) {
     throw InputError(source.file, line_place(line),
                      fmt::format("{} columns; --columns names {}", count, names.size()));
@@ -157,6 +173,8 @@ ColumnLayout layout_of_names(const ColumnNames& names, std::size_t count, const 
                      "names no table; needed are wavelength with n, n and k, or eps1 and eps2");
   }
   reject_repeats(meanings, source, line);
+  find_named_unit(*layout, head, separator);
+  if (!layout->unit) find_unit(*layout, head, count, separator);
   return *layout;
 }
 

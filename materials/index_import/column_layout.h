@@ -27,9 +27,10 @@ struct BlockHead {
   std::vector<TextLine> comments;  // some tools write the names into a comment
 };
 
-// By the caller's list. Throws InputError where it is longer than the row, or not a table.
-ColumnLayout layout_of_names(const ColumnNames& names, std::size_t count, const IndexSource& source,
-                             std::size_t line);
+// By the caller's list; the unit is what the file says above the axis. Throws InputError where the
+// list is longer than the row, or not a table.
+ColumnLayout layout_of_names(const ColumnNames& names, const BlockHead& head, std::size_t count,
+                             char separator, const IndexSource& source, std::size_t line);
 
 // By the names above a row of `count` cells, or, where there are none, wavelength, n and perhaps k.
 // Throws InputError where the names are not understood, or the count is not 2 or 3 without names.

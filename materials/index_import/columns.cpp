@@ -104,7 +104,7 @@ class ColumnsReader {
     count_ = count;
     first_line_ = line;
     layout_ = columns_.empty() ? layout_of_head(head_, count, separator_, source_, line)
-                               : layout_of_names(columns_, count, source_, line);
+                               : layout_of_names(columns_, head_, count, separator_, source_, line);
     for (std::size_t i = columns_.size(); !columns_.empty() && i < count; ++i) {
       layout_.unused.push_back(fmt::format("column {}", i + 1));
     }

@@ -14,6 +14,7 @@
 #include "apps/karat/swatch.h"
 #include "materials/index_colour.h"
 #include "materials/index_import.h"
+#include "materials/index_import/format.h"
 #include "materials/index_import/header.h"
 #include "materials/index_path.h"
 #include "materials/index_table_file.h"
@@ -54,17 +55,15 @@ void require_free(const Options& options, const fs::path& target) {
   }
 }
 
+AxisUnit unit_named(const std::string& name) {
+  if (const auto unit = axis_unit(name)) return *unit;
+  std::vector<std::string> known;
+  for (const AxisUnit unit : kAxisUnits) known.push_back(axis_unit_name(unit));
+  throw InputError("--unit: " + unknown_name_message("unit", name, known));
+}
+
 IndexImportOptions import_options(const Options& options) {
   IndexImportOptions import = options.import;
-  if (!options.unit.empty()) {
-    import.unit = axis_unit(options.unit);
-    if (!import.unit) {
-      std::vector<std::string> known;
-      for (const AxisUnit unit : kAxisUnits) known.push_back(axis_unit_name(unit));
-      throw InputError(unknown_name_message("unit", options.unit, known));
-    }
-  }
-  import.columns = column_names(options.columns);
   import.file_name = fs::path(options.file).filename().string();
   import.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
   return import;
@@ -183,6 +182,16 @@ void require_reference(const Options& options) {
   }
 }
 
+// An option that means nothing is wrong usage, whatever the file holds.
+void read_import_options(Options& options) {
+  try {
+    if (!options.unit.empty()) options.import.unit = unit_named(options.unit);
+    options.import.columns = column_names(options.columns);
+  } catch (const InputError& error) {
+    throw CLI::ValidationError(error.what());
+  }
+}
+
 class NkAdd final : public Command {
  public:
   void add_to(CLI::App& nk, std::function<int()>& action) const override {
@@ -203,8 +212,8 @@ class NkAdd final : public Command {
                     "skips one); else as the file says")
         ->delimiter(',')
         ->allow_extra_args(false);  // what follows is the file
-    add->add_option("--format", options->import.format,
-                    "columns, imd, sopra or yaml; else what the file looks like");
+    add->add_option("--format", options->import.format, "How the file is read; else as it looks")
+        ->check(CLI::IsMember(Registry<IndexFormat>::instance().names()));
     add->add_flag("--negate-k", options->import.negate_k,
                   "The file has the other sign convention, n - ik: change the sign of k");
     add->add_flag("--accept-implausible", options->import.accept_implausible,
@@ -217,6 +226,7 @@ class NkAdd final : public Command {
         "Your tables lie in $XDG_DATA_HOME/karat/nk or ~/.local/share/karat/nk.");
     add->callback([&action, options] {
       require_reference(*options);
+      read_import_options(*options);
       action = [options] { return run_add(*options); };
     });
   }
