@@ -118,6 +118,16 @@ class Library {
            typed + "\" their colours.";
   }
 
+  // A slip in KARAT_NK_PATH is why a table is not found.
+  static std::string missing_folders() {
+    std::string text;
+    for (const IndexPathEntry& entry : index_path()) {
+      if (entry.kind != IndexPathEntry::Kind::kVariable || entry.exists()) continue;
+      text += (text.empty() ? " In KARAT_NK_PATH, but not there: " : ", ") + entry.folder.string();
+    }
+    return text.empty() ? text : text + ".";
+  }
+
   std::string unknown(const std::string& name) const {
     std::vector<std::string> names;
     for (const IndexTableEntry& entry : list(true)) names.push_back(entry.name);
@@ -130,7 +140,8 @@ class Library {
     const std::string near = nearest_full_name(name, names);
     return "unknown index table \"" + name + "\"" +
            (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
-           "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders.";
+           "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders." +
+           missing_folders();
   }
 
   std::list<IndexFolder> folders_;

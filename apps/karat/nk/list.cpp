@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
 #include "materials/index_catalogue.h"
 #include "materials/index_colour.h"
+#include "materials/index_table_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -30,21 +32,47 @@ json list_row(const IndexTableEntry& entry, const IndexTable& table) {
           {"covers_visible", table.range().covers(kVisible)}};
 }
 
+// Whether a file that is no table is a good one of the other kind: the database has some of k
+// alone.
+bool has_k_alone(const std::string& file) {
+  std::vector<IndexBlock> blocks;
+  try {
+    load_index_table_file(file, file, blocks);
+  } catch (const InputError&) {
+    return !blocks.empty() && std::all_of(blocks.begin(), blocks.end(), [](const IndexBlock& one) {
+      return one.type == "tabulated k";
+    });
+  }
+  return false;
+}
+
 // A bad table is named on stderr and does not hide the others; the exit code tells.
 int run_list(const Options& options) {
   json rows = json::array();
-  int exit_code = 0;
+  int exit_code = 0, of_k_alone = 0;
   for (const IndexTableEntry& entry : list_index_tables(options.everywhere)) {
     if (entry.name.find(options.filter) == std::string::npos) continue;
     try {
       rows.push_back(list_row(entry, *find_index_table(entry.name)));
     } catch (const InputError& error) {
+      if (has_k_alone(entry.file)) {
+        ++of_k_alone;
+        continue;
+      }
       fmt::print(stderr, "karat: {}\n", error.what());
       exit_code = 3;
     }
   }
+  if (of_k_alone > 0) {
+    fmt::print(stderr, "karat: {} of k alone, no materials: karat nk search --kind k\n",
+               of_k_alone);
+  }
   if (options.as_json) {
     print_json(rows);
+    return exit_code;
+  }
+  if (rows.empty()) {
+    fmt::print(stderr, "karat: no index table has \"{}\" in its name\n", options.filter);
     return exit_code;
   }
   std::size_t width = 4;
