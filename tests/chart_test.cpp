@@ -202,7 +202,9 @@ TEST_CASE("karat nk plot draws tables and refuses what it does not know", "[char
   CHECK_THAT(bytes_of(file), Contains("s-polarised") && Contains("reflectance, 60°"));
   CHECK(run({"main/Au/Johnson", "--nm", "1:2", "-o", file}) == 3);
   CHECK(run({"main/Au/Johnson", "--nm", "900:300", "-o", file}) == 2);
-  CHECK(run({"main/Au/Johnson", "-o", folder.file("gold.gif")}) == 3);
+  CHECK(run({"main/Au/Johnson", "-o", folder.file("gold.gif")}) == 2);
+  CHECK(run({"Au/Johnson", "-o", file}) == 0);
+  CHECK(run({"Johnson", "-o", file}) == 3);
   CHECK(run({"main/Au/Johnson", "-o", folder.file("none/gold.svg")}) == 1);
 }
 

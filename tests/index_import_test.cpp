@@ -139,6 +139,12 @@ TEST_CASE("columns by name, by --columns, and skipped", "[index][import]") {
   const IndexImport fewer = imported(rows, with_columns({"wavelength", "-", "n"}));
   CHECK_THAT(fewer.description, Contains("column 1 wavelength, 3 n; column 4 not used"));
   CHECK_FALSE(table_of(fewer)->has_k());
+  // The file still says what its unit is: 10 to 30 nm could be um as well.
+  const std::string soft = "10,0.9,0.1\n20,0.9,0.1\n30,0.9,0.1\n";
+  const auto named = with_columns({"wavelength", "n", "k"});
+  CHECK(imported("Wavelength (nm),index,loss\n" + soft, named).unit == "nm (line 1)");
+  CHECK(imported("# wl (nm), a, b\n" + soft, named).unit == "nm (line 1)");
+  CHECK_THROWS_WITH(imported(soft, named), Contains("the unit is not stated"));
   CHECK(imported_table("wavelength_nm,n\n400,1.5\n500,1.5\n700,1.4\n")->at(600.0).n ==
         Approx(1.45));
 }
