@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "apps/karat/run_karat.h"
 #include "materials/fresnel_choice.h"
@@ -155,6 +156,26 @@ TEST_CASE("karat fresnel fit writes what it finds into a scene that renders", "[
   REQUIRE(printed["fits"].size() == 1);
   CHECK(printed["fits"][0]["values"].contains("alpha"));
   CHECK(printed["max_abs_error"] >= printed["rms_error"]);
+}
+
+TEST_CASE("fresnel eval takes metals without loss, which reflect all, and refuses what overflows",
+          "[fresnel]") {
+  const Workplace work;
+  std::ofstream(work.file("lossless.csv")) << "n,k,theta_deg,n_exterior\n0,3,45,1\n0,3,89.9,1.5\n";
+  std::ofstream(work.file("overflow.csv")) << "n,k,theta_deg\n1,1e300,10\n";
+  for (const std::string& name : Registry<FresnelModel>::instance().names()) {
+    CAPTURE(name);
+    const Outcome lossless = karat_run(
+        {"fresnel", "eval", "--model", name, "--precision", "double", work.file("lossless.csv")});
+    REQUIRE(lossless.code == 0);
+    std::istringstream lines(lossless.out);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+      CHECK(std::stod(line.substr(line.rfind(',') + 1)) == Approx(1.0).margin(1e-6));
+    }
+    CHECK(karat_run({"fresnel", "eval", "--model", name, work.file("overflow.csv")}).code == 3);
+  }
 }
 
 TEST_CASE("a model that is one new class is listed, evaluated and rendered at once", "[fresnel]") {
