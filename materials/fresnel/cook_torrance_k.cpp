@@ -10,11 +10,11 @@
 namespace karat {
 namespace {
 
-// 1 - F0 is computed apart, as next to 1 the difference cancels. Of a material that reflects all k
-// is infinite: it gets a huge one, which exact_tables() bounds in single precision.
+// 1 - F0 is computed apart, as next to 1 the difference cancels. A material that reflects all gets
+// a large extinction.
 ComplexIndex recovered(double n, double k) {
-  const double rest = std::max(normal_absorptance(n, k), 1e-30);
-  return {1.0, 2.0 * std::sqrt(normal_incidence(n, k) / rest)};
+  const double rest = std::max(normal_absorptance(n, k), 1e-8);
+  return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestIndex)};
 }
 
 class CookTorranceExtinctionFresnel final : public FresnelModel {

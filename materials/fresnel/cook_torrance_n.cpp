@@ -11,13 +11,12 @@
 namespace karat {
 namespace {
 
-// 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. Of a material that reflects all
-// n is infinite: it gets a huge one. In single precision exact_tables() bounds the index of
-// whatever reflects more than 0.99987.
+// 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects
+// all, or more than 0.99987, gets the largest index that the kernel takes.
 ComplexIndex recovered(double n, double k) {
   const double root = std::sqrt(normal_incidence(n, k));
-  const double rest = std::max(normal_absorptance(n, k), 1e-30);
-  return {(1.0 + root) * (1.0 + root) / rest, 0.0};
+  const double rest = std::max(normal_absorptance(n, k), 1e-8);
+  return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestIndex), 0.0};
 }
 
 class CookTorranceIndexFresnel final : public FresnelModel {
