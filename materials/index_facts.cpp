@@ -24,8 +24,8 @@ const IndexBlock* block_of(const std::vector<IndexBlock>& blocks, char quantity)
 
 std::string form_of(const IndexBlock* n, const IndexBlock* k) {
   if (!n) return k ? "tabulated k" : "";
-  const std::string form = n->type.starts_with("formula") ? n->type : "tabulated";
-  return !k || k == n || form == "tabulated" ? form : form + ", tabulated k";
+  if (!n->type.starts_with("formula")) return "tabulated";
+  return !k || k == n ? n->type : n->type + ", tabulated k";
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ IndexFacts index_facts(const std::string& file, const std::string& name) {
   facts.form = form_of(n, facts.kind == "n" ? nullptr : k);
   if (n) facts.samples = n->rows;
   if (!n && k) {
-    facts.kind = "k";
+    facts.kind = std::string{"k"};  // GCC 12 warns of the plain literal (its bug 105651)
     facts.samples = k->rows;
     facts.range = k->range;
   }
