@@ -125,8 +125,10 @@ template <typename F>
 LatticeSpectrum tabulated(F&& value) {
   LatticeSpectrum lattice_spectrum;
   for (int phase = 0; phase < kPhases; ++phase) {
-    lattice_spectrum[phase] =
-        for_each_lane([&](int lane) { return static_cast<float>(value(lane, phase)); });
+    // No for_each_lane: virtual calls are not vectorised, of which Clang would warn.
+    for (int lane = 0; lane < kLanes; ++lane) {
+      lattice_spectrum[phase][lane] = static_cast<float>(value(lane, phase));
+    }
   }
   return lattice_spectrum;
 }
