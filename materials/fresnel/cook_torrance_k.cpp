@@ -14,7 +14,7 @@ namespace {
 // a large extinction.
 ComplexIndex recovered(double n, double k) {
   const double rest = std::max(normal_absorptance(n, k), 1e-8);
-  return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestIndex)};
+  return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestKernelIndex)};
 }
 
 class CookTorranceExtinctionFresnel final : public FresnelModel {

@@ -16,7 +16,7 @@ namespace {
 ComplexIndex recovered(double n, double k) {
   const double root = std::sqrt(normal_incidence(n, k));
   const double rest = std::max(normal_absorptance(n, k), 1e-8);
-  return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestIndex), 0.0};
+  return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestKernelIndex), 0.0};
 }
 
 class CookTorranceIndexFresnel final : public FresnelModel {
