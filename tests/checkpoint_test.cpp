@@ -64,7 +64,7 @@ TEST_CASE("a checkpoint of another render: what differs is named", "[checkpoint]
   CHECK_THROWS_WITH(load_into(other), Contains(file.path) && Contains("its crop is [0, 0, 8, 6]"));
   other = small_scene();
   other["sampling"]["seed"] = 5;
-  CHECK_THROWS_WITH(load_into(other), Contains("its seed is 0, the scene's is 5"));
+  CHECK_THROWS_WITH(load_into(other), Contains("its seed is 0, this one's is 5"));
   other = small_scene();
   other["materials"]["clay"]["reflectance"] = 0.25;
   CHECK_THROWS_WITH(load_into(other), Contains("content"));
