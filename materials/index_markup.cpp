@@ -71,9 +71,24 @@ class Stripper {
     rest_.remove_prefix(1);
   }
 
+  // The next character of a kind is looked for once, or text of nothing but openings would cost the
+  // square of its length.
+  struct Next {
+    char character;
+    const char* at = nullptr;
+  };
+  // Where it is at or after `from`, which only grows; npos where there is none.
+  std::size_t find(Next& next, std::size_t from = 0) const {
+    const char* const end = rest_.data() + rest_.size();
+    const char* const begin = rest_.data() + from;
+    if (!next.at || next.at < begin) next.at = std::find(begin, end, next.character);
+    if (next.at == end) return std::string_view::npos;
+    return static_cast<std::size_t>(next.at - rest_.data());
+  }
+
   bool tag() {
     if (rest_[0] != '<') return false;
-    const auto end = rest_.find('>');
+    const auto end = find(tag_end_);
     if (end == std::string_view::npos) return false;
     const std::string_view inside = rest_.substr(1, end - 1);
     const bool closing = inside.starts_with('/');
@@ -101,9 +116,10 @@ class Stripper {
   // [text](address); anything else in brackets stays.
   bool link() {
     if (rest_[0] != '[') return false;
-    const auto middle = rest_.find("](");
-    if (middle == std::string_view::npos || rest_.find(']') != middle) return false;
-    const auto end = rest_.find(')', middle);
+    const auto middle = find(bracket_);
+    if (middle == std::string_view::npos || !rest_.substr(middle + 1).starts_with('('))
+      return false;
+    const auto end = find(parenthesis_, middle);
     if (end == std::string_view::npos) return false;
     put(Stripper(rest_.substr(1, middle - 1)).run());
     put_doi(doi_in(rest_.substr(middle + 2, end - middle - 2), " "));
@@ -129,6 +145,7 @@ class Stripper {
   std::string out_;
   std::string_view doi_;
   bool open_ = false;
+  Next tag_end_{'>'}, bracket_{']'}, parenthesis_{')'};
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "materials/index_markup.h"
 
 #include <catch2/catch.hpp>
+#include <ctime>
+#include <string>
 
 using karat::plain_text;
 
@@ -23,4 +25,16 @@ TEST_CASE("what only looks like markup stays", "[index][markup]") {
 TEST_CASE("no control character reaches a terminal", "[index][markup]") {
   CHECK(plain_text("a\x1b[31mb\x07"
                    "c\t\r\n d ") == "a [31mb c d");
+}
+
+TEST_CASE("text of nothing but openings costs no more than other text", "[index][markup]") {
+  // The square of these lengths would take minutes, their sum a second.
+  const std::clock_t start = std::clock();
+  for (const char opening : {'<', '['}) {
+    for (const char* end : {"", ">", "]", "]("}) {
+      const std::string text = std::string(2000000, opening) + end;
+      if (plain_text(text) != text) FAIL("not kept: " << opening << "..." << end);
+    }
+  }
+  CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 30.0);
 }
