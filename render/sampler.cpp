@@ -114,8 +114,11 @@ VertexNumbers Sampler::vertex(int depth) {
 
 void BatchSampler::start_block(std::uint32_t x, std::uint32_t y) {
   const std::uint32_t seed = hash(seed_);
-  for_whole_batch(
-      [&](int i) { pixel_hash_[i] = hash((x + i % kBlock) ^ hash((y + i / kBlock) ^ seed)); });
+  for_whole_batch([&](int i) {
+    const auto across = static_cast<std::uint32_t>(i % kBlock);
+    const auto down = static_cast<std::uint32_t>(i / kBlock);
+    pixel_hash_[i] = hash((x + across) ^ hash((y + down) ^ seed));
+  });
 }
 
 void BatchSampler::pair(std::uint32_t dimension, BatchFloat& first, BatchFloat& second) const {
