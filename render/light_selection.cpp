@@ -13,36 +13,40 @@ LightSelection::LightSelection(const std::vector<std::unique_ptr<const Light>>& 
     const Light::Bounds bounds = light->bounds();
     const float power = light->power(radius) * kInvPi;
     if (std::isinf(bounds.radius)) {
-      entries_.push_back({light.get(), {}, 0.0f, power / (4.0f * radius * radius), true});
+      entries_.push_back({light.get(), {}, 0.0f, 1.0f, power / (4.0f * radius * radius)});
     } else {
-      entries_.push_back({light.get(), bounds.center,
-                          std::max(bounds.radius * bounds.radius, 1e-12f), power, false});
+      const float least = std::max(bounds.radius * bounds.radius, 1e-12f);
+      entries_.push_back({light.get(), bounds.center, 1.0f, least, power});
     }
   }
 }
 
+// Everything in the loops is a local copy: nothing that is written may be what is read.
 void LightSelection::choose(const BatchVec3& points, const BatchFloat& u, Choice& choice) const {
-  std::fill_n(choice.light, kBatch, nullptr);
-  choice.total = {};
-  choice.probability = {};
-  for (const Entry& entry : entries_) {
-    for_whole_batch([&](int i) { choice.total[i] += importance(entry, points[i]); });
+  const BatchVec3 at = points;
+  BatchFloat total, left, probability;
+  for (const Entry& stored : entries_) {
+    const Entry entry = stored;
+    for_whole_batch([&](int i) { total[i] += importance(entry, at[i]); });
   }
-  BatchFloat left;
   alignas(64) std::int32_t chosen[kBatch];
-  for (int i = 0; i < kBatch; ++i) left[i] = u[i] * choice.total[i], chosen[i] = -1;
-  for (std::int32_t e = 0; const Entry& entry : entries_) {
+  for (int i = 0; i < kBatch; ++i) left[i] = u[i] * total[i], chosen[i] = -1;
+  for (std::int32_t e = 0; const Entry& stored : entries_) {
+    const Entry entry = stored;
     for_whole_batch([&](int i) {
-      const float weight = importance(entry, points[i]);
+      const float weight = importance(entry, at[i]);
       const bool taken = left[i] >= 0.0f && weight > 0.0f;
       chosen[i] = taken ? e : chosen[i];
-      choice.probability[i] = taken ? weight / choice.total[i] : choice.probability[i];
+      probability[i] = taken ? weight / total[i] : probability[i];
       left[i] -= weight;
     });
     ++e;
   }
+  choice.total = total;
+  choice.probability = probability;
   for (int i = 0; i < kBatch; ++i) {
-    if (chosen[i] >= 0) choice.light[i] = entries_[static_cast<std::size_t>(chosen[i])].light;
+    const std::int32_t e = chosen[i];
+    choice.light[i] = e >= 0 ? entries_[static_cast<std::size_t>(e)].light : nullptr;
   }
 }
 

@@ -27,20 +27,21 @@ class LightSelection {
   float probability(const Vec3& point, const Light* light, float total) const;
 
  private:
+  // An environment is as near to every point: its distance counts 0, and at least 1.
   struct Entry {
     const Light* light;
     Vec3 center;
-    float least_squared;  // distances count as at least this
+    float squared_scale;  // of the squared distance: 0 or 1
+    float least_squared;  // squared distances count as at least this
     float power;          // over pi
-    bool at_any_distance;
   };
 
   // About the irradiance on a surface that faces the light: power / (pi d^2), with the distance
   // kept above the light's own radius; for an environment the power it sends through the scene's
-  // sphere.
+  // sphere. Free of branches, for loops over many points.
   float importance(const Entry& entry, const Vec3& point) const {
-    const float d2 = std::max(length_squared(entry.center - point), entry.least_squared);
-    return entry.at_any_distance ? entry.power : entry.power / d2;
+    const float squared = entry.squared_scale * length_squared(entry.center - point);
+    return entry.power / std::max(squared, entry.least_squared);
   }
 
   std::vector<Entry> entries_;
