@@ -86,8 +86,8 @@ TEST_CASE("published pages agree through the command line to 1e-9", "[nk-eval]")
     json expected = json::array();
     for (const auto& value : page["values"]) {
       if (value["n"].is_null()) continue;  // outside the range: an error, below
-      wavelengths += (wavelengths.empty() ? "" : ",") +
-                     json(value["wavelength_um"].get<double>() * 1000.0).dump();
+      if (!wavelengths.empty()) wavelengths += ',';
+      wavelengths += json(value["wavelength_um"].get<double>() * 1000.0).dump();
       expected.push_back(value);
     }
     const Outcome outcome = karat_run({"nk", "eval", name, "--nm", wavelengths});
