@@ -136,4 +136,24 @@ inline FresnelModel::Scalar exact_scalar(ComplexIndex index, double cos_theta) {
   return {s, p, 0.5 * (s + p)};
 }
 
+// A model that is the exact one for the index that it puts in place of the given one.
+class ExactFormFresnel : public FresnelModel {
+ public:
+  virtual ComplexIndex substitute(ComplexIndex index) const = 0;
+
+  FresnelTables prepare(const LatticeIndex& index) const final {
+    return exact_tables(index, [&](double n, double k) { return substitute({n, k}); });
+  }
+  SampledSpectrum reflectance(const FresnelTables& tables, int phase, float cos_theta) const final {
+    return exact_reflectance(tables, phase, cos_theta);
+  }
+  std::optional<PolarisedReflectance> polarised(const FresnelTables& tables, int phase,
+                                                float cos_theta) const final {
+    return exact_polarised(tables, phase, cos_theta);
+  }
+  Scalar evaluate(ComplexIndex index, double cos_theta) const final {
+    return exact_scalar(substitute(index), cos_theta);
+  }
+};
+
 }  // namespace karat

@@ -6,8 +6,9 @@
 
 namespace karat {
 
-// A model states parameters(), chosen() for one wavelength, prepare_with() and evaluate_with(). One
-// whose values hold for a whole material overrides chosen_on() too.
+// A model states parameters(), chosen() for one wavelength, reflectance() and evaluate_with(). One
+// whose values hold for a whole material overrides chosen_on() too, and one that needs other planes
+// than F0 and the values prepare_with().
 class ParametricFresnel : public FresnelModel {
  public:
   FresnelTables prepare(const LatticeIndex& index) const override {
@@ -16,8 +17,13 @@ class ParametricFresnel : public FresnelModel {
   Scalar evaluate(ComplexIndex index, double cos_theta) const final {
     return {std::nullopt, std::nullopt, evaluate_with(index, cos_theta, chosen(index))};
   }
+  // F0, then the values in the order of parameters().
   FresnelTables prepare_with(const LatticeIndex& index,
-                             const std::vector<LatticeSpectrum>& values) const override = 0;
+                             const std::vector<LatticeSpectrum>& values) const override {
+    FresnelTables tables{{lattice_of(index, normal_incidence)}};
+    tables.planes.insert(tables.planes.end(), values.begin(), values.end());
+    return tables;
+  }
   double evaluate_with(ComplexIndex index, double cos_theta,
                        const std::vector<double>& values) const override = 0;
 

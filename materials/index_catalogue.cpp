@@ -1,7 +1,6 @@
 #include "materials/index_catalogue.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <list>
 #include <map>
@@ -19,11 +18,6 @@ namespace karat {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 // The folders as the environment names them now, and what was loaded from them.
 class Library {
@@ -68,12 +62,6 @@ class Library {
     MatchingNames found = matching_names(typed, titled_names());
     if (found.names.empty()) throw InputError(unknown(typed));
     return std::move(found.names);
-  }
-
-  std::vector<std::string> folder_paths() const {
-    std::vector<std::string> paths;
-    for (const IndexFolder& folder : folders_) paths.push_back(folder.path().string());
-    return paths;
   }
 
  private:
@@ -156,8 +144,8 @@ Library& library() {
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<Library>> libraries;
   const std::scoped_lock lock(mutex);
-  const std::string key = variable("KARAT_DATA") + '\n' + user_index_folder().string() + '\n' +
-                          variable("KARAT_NK_PATH");
+  std::string key;
+  for (const IndexPathEntry& entry : index_path()) key += entry.folder.string() + '\n';
   auto& entry = libraries[key];
   if (!entry) entry = std::make_unique<Library>();
   return *entry;
@@ -176,7 +164,5 @@ std::string full_index_name(const std::string& typed) { return library().full_na
 std::vector<std::string> matching_index_names(const std::string& typed) {
   return library().matching(typed);
 }
-
-std::vector<std::string> index_folders() { return library().folder_paths(); }
 
 }  // namespace karat

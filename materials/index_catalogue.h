@@ -43,7 +43,4 @@ std::string full_index_name(const std::string& typed);
 // InputError when there is none.
 std::vector<std::string> matching_index_names(const std::string& typed);
 
-// The folders that exist, in the order in which they are searched.
-std::vector<std::string> index_folders();
-
 }  // namespace karat

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "materials/index_catalogue.h"
+#include "materials/index_path.h"
 #include "materials/index_search_folder.h"
 #include "spectral/support/error.h"
 
@@ -71,8 +71,10 @@ bool is_usual(const IndexSearchHit& hit) {
 IndexSearchResult search_index_tables(const IndexSearchQuery& query) {
   IndexSearchResult result;
   std::map<std::string, std::size_t> place;  // of a name in the hits
-  std::vector<std::string> folders = index_folders();
-  for (std::string& folder : folders) folder = fs::absolute(folder).lexically_normal().string();
+  std::vector<std::string> folders;
+  for (const IndexPathEntry& entry : index_path()) {
+    if (entry.exists()) folders.push_back(fs::absolute(entry.folder).lexically_normal().string());
+  }
   for (const std::string& folder : folders) {
     with_database(folder, result.storage_problem, [&](const SqliteDatabase& database) {
       for (IndexSearchHit& hit : search_database(database, query)) {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <type_traits>
 
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "render/image_codec.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -1,7 +1,6 @@
 // Image files: EXR with provenance, spectral EXR, PNG display views.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,14 +30,5 @@ Image read_image(const std::string& path);
 
 // The same without the pixels: `values` is empty.
 Image read_image_header(const std::string& path);
-
-// Throws RuntimeError, saying why, when a file could not be written at `path`: the folder is
-// missing or not writable, `path` is itself a folder, or a PNG is asked for and the module that writes
-// it is missing. Creates nothing that stays.
-void check_writable(const std::string& path);
-
-// Calls `write` with a temporary name beside `path`, then renames to `path`. When anything throws,
-// the temporary file is removed and what stood at `path` is untouched. Throws RuntimeError.
-void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);
 
 }  // namespace karat

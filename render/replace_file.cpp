@@ -1,4 +1,5 @@
-// Files that are either whole or not there: written beside their place, then renamed.
+#include "render/replace_file.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -6,8 +7,6 @@
 #include <fstream>
 #include <system_error>
 
-#include "render/image_codec.h"
-#include "render/image_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -52,7 +51,6 @@ void require_replaceable(const std::string& path, const fs::path& target) {
 void check_writable(const std::string& path) {
   const fs::path target = target_of(path);
   require_replaceable(path, target);
-  if (target.extension() == ".png") require_image_codec();
   // Permissions alone do not tell (read-only file systems, the superuser): try.
   const fs::path temporary = temporary_beside(target);
   const bool created = std::ofstream(temporary, std::ios::binary).is_open();

@@ -1,4 +1,4 @@
-// Owen-scrambled Sobol pairs, eight per block, for two consecutive vertices at a time.
+// Owen-scrambled Sobol pairs, eight numbers for the camera and for every vertex.
 //
 // Every pair of dimensions is the Sobol (0,2)-sequence of Kollig and Keller 2002 with its index
 // shuffled and both its values scrambled by nested uniform (Owen) scrambling, so that pairs are
@@ -6,8 +6,6 @@
 // the hash of Laine and Karras 2011 as improved and used for padding by Burley, "Practical
 // hash-based Owen scrambling", JCGT 9(4), 2020.
 #include "render/sampler.h"
-
-#include <cstddef>
 
 namespace karat {
 namespace {
@@ -63,53 +61,60 @@ float to_unit(std::uint32_t x) {
 
 }  // namespace
 
-void Sampler::start_pixel(std::uint32_t x, std::uint32_t y) {
-  pixel_hash_ = hash(x ^ hash(y ^ hash(seed_)));
+namespace {
+
+// Two neighbouring dimensions of a sample, of which the first is even. What of the sample's number
+// is the same for all dimensions and pixels comes prepared: hash(sample), reverse_bits(sample).
+inline void independent_pair(std::uint32_t pixel, std::uint32_t hashed_sample,
+                             std::uint32_t dimension, float& first, float& second) {
+  const std::uint32_t stream = hash(pixel + hashed_sample);
+  first = to_unit(hash(stream ^ hash(pixel ^ dimension)));
+  second = to_unit(hash(stream ^ hash(pixel ^ (dimension + 1))));
+}
+inline void sobol_pair(std::uint32_t pixel, std::uint32_t reversed_sample, std::uint32_t dimension,
+                       float& first, float& second) {
+  const std::uint32_t a =
+      scramble_reversed(reversed_sample, hash(pixel ^ (0x80000000u | (dimension >> 1))));
+  const std::uint32_t b = sobol_second(a);
+  first = to_unit(reverse_bits(scramble_reversed(reverse_bits(a), hash(pixel ^ dimension))));
+  second = to_unit(reverse_bits(scramble_reversed(reverse_bits(b), hash(pixel ^ (dimension + 1)))));
 }
 
-void Sampler::start_sample(std::uint32_t sample) {
+std::uint32_t hash_of_pixel(std::uint32_t x, std::uint32_t y, std::uint32_t hashed_seed) {
+  return hash(x ^ hash(y ^ hashed_seed));
+}
+
+constexpr std::uint32_t first_dimension(int depth) {
+  return (kFirstVertexBlock + static_cast<std::uint32_t>(depth)) * kBlockNumbers;
+}
+constexpr std::uint32_t kCameraDimension = kCameraBlock * kBlockNumbers;
+
+}  // namespace
+
+void Sampler::start(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+  pixel_hash_ = hash_of_pixel(x, y, hash(seed_));
   sample_ = sample;
-  first_block_ = ~0u;
 }
 
-// One lane per dimension; the loops are plain so that they become vector code.
-void Sampler::generate(std::uint32_t block) {
-  first_block_ = block;
-  constexpr std::uint32_t kCount = 2 * kBlockNumbers;
-  const std::uint32_t first_dimension = block * kBlockNumbers;
-  alignas(64) std::uint32_t bits[kCount];
+Vec2 Sampler::pair(std::uint32_t dimension) const {
+  Vec2 u;
   if (kind_ == SamplerKind::kIndependent) {
-    const std::uint32_t stream = hash(pixel_hash_ + hash(sample_));
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-      bits[i] = hash(stream ^ hash(pixel_hash_ ^ (first_dimension + i)));
-    }
+    independent_pair(pixel_hash_, hash(sample_), dimension, u.x, u.y);
   } else {
-    const std::uint32_t reversed_sample = reverse_bits(sample_);
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-      const std::uint32_t dimension = first_dimension + i;
-      const std::uint32_t pair_seed = hash(pixel_hash_ ^ (0x80000000u | (dimension >> 1)));
-      const std::uint32_t own_seed = hash(pixel_hash_ ^ dimension);
-      const std::uint32_t first = scramble_reversed(reversed_sample, pair_seed);
-      const std::uint32_t second = sobol_second(first);
-      const std::uint32_t value = (i & 1u) != 0 ? second : first;
-      bits[i] = reverse_bits(scramble_reversed(reverse_bits(value), own_seed));
-    }
+    sobol_pair(pixel_hash_, reverse_bits(sample_), dimension, u.x, u.y);
   }
-  for (std::uint32_t i = 0; i < kCount; ++i) numbers_[i] = to_unit(bits[i]);
+  return u;
 }
 
-CameraNumbers Sampler::camera() {
-  generate(kCameraBlock);
-  const float* u = numbers_;
-  return {{u[0], u[1]}, {u[2], u[3]}, u[4], u[5]};
+CameraNumbers Sampler::camera() const {
+  const Vec2 rest = pair(kCameraDimension + 4);
+  return {pair(kCameraDimension), pair(kCameraDimension + 2), rest.x, rest.y};
 }
 
-VertexNumbers Sampler::vertex(int depth) {
-  const std::uint32_t block = kFirstVertexBlock + static_cast<std::uint32_t>(depth);
-  const std::uint32_t pair_of_blocks = block & ~1u;
-  if (pair_of_blocks != first_block_) generate(pair_of_blocks);
-  const float* u = numbers_ + (block & 1u) * kBlockNumbers;
-  return {{u[0], u[1]}, {u[2], u[3]}, u[4], u[5], u[6]};
+VertexNumbers Sampler::vertex(int depth) const {
+  const std::uint32_t first = first_dimension(depth);
+  const Vec2 choices = pair(first + 4);
+  return {pair(first), pair(first + 2), choices.x, choices.y, pair(first + 6).x};
 }
 
 void BatchSampler::start_block(std::uint32_t x, std::uint32_t y) {
@@ -117,42 +122,30 @@ void BatchSampler::start_block(std::uint32_t x, std::uint32_t y) {
   for_whole_batch([&](int i) {
     const auto across = static_cast<std::uint32_t>(i % kBlock);
     const auto down = static_cast<std::uint32_t>(i / kBlock);
-    pixel_hash_[i] = hash((x + across) ^ hash((y + down) ^ seed));
+    pixel_hash_[i] = hash_of_pixel(x + across, y + down, seed);
   });
 }
 
 void BatchSampler::pair(std::uint32_t dimension, BatchFloat& first, BatchFloat& second) const {
   if (kind_ == SamplerKind::kIndependent) {
     const std::uint32_t sample = hash(sample_);
-    for_whole_batch([&](int i) {
-      const std::uint32_t stream = hash(pixel_hash_[i] + sample);
-      first[i] = to_unit(hash(stream ^ hash(pixel_hash_[i] ^ dimension)));
-      second[i] = to_unit(hash(stream ^ hash(pixel_hash_[i] ^ (dimension + 1))));
-    });
+    for_whole_batch(
+        [&](int i) { independent_pair(pixel_hash_[i], sample, dimension, first[i], second[i]); });
     return;
   }
   const std::uint32_t sample = reverse_bits(sample_);
-  for_whole_batch([&](int i) {
-    const std::uint32_t pixel = pixel_hash_[i];
-    const std::uint32_t a =
-        scramble_reversed(sample, hash(pixel ^ (0x80000000u | (dimension >> 1))));
-    const std::uint32_t b = sobol_second(a);
-    first[i] = to_unit(reverse_bits(scramble_reversed(reverse_bits(a), hash(pixel ^ dimension))));
-    second[i] =
-        to_unit(reverse_bits(scramble_reversed(reverse_bits(b), hash(pixel ^ (dimension + 1)))));
-  });
+  for_whole_batch(
+      [&](int i) { sobol_pair(pixel_hash_[i], sample, dimension, first[i], second[i]); });
 }
 
 void BatchSampler::camera(BatchCameraNumbers& u) const {
-  constexpr std::uint32_t kFirst = kCameraBlock * kBlockNumbers;
-  pair(kFirst, u.pixel[0], u.pixel[1]);
-  pair(kFirst + 2, u.lens[0], u.lens[1]);
-  pair(kFirst + 4, u.phase, u.hero);
+  pair(kCameraDimension, u.pixel[0], u.pixel[1]);
+  pair(kCameraDimension + 2, u.lens[0], u.lens[1]);
+  pair(kCameraDimension + 4, u.phase, u.hero);
 }
 
 void BatchSampler::vertex(int depth, BatchVertexNumbers& u) const {
-  const std::uint32_t first =
-      (kFirstVertexBlock + static_cast<std::uint32_t>(depth)) * kBlockNumbers;
+  const std::uint32_t first = first_dimension(depth);
   BatchFloat unused;
   pair(first, u.bsdf[0], u.bsdf[1]);
   pair(first + 2, u.light[0], u.light[1]);

@@ -29,29 +29,22 @@ class Sampler {
   Sampler(SamplerKind kind, std::uint32_t seed) : kind_(kind), seed_(seed) {}
 
   // The numbers that follow belong to this sample of this pixel.
-  void start(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
-    start_pixel(x, y);
-    start_sample(sample);
-  }
-  void start_pixel(std::uint32_t x, std::uint32_t y);
-  void start_sample(std::uint32_t sample);
+  void start(std::uint32_t x, std::uint32_t y, std::uint32_t sample);
 
-  CameraNumbers camera();
-  VertexNumbers vertex(int depth);
+  CameraNumbers camera() const;
+  VertexNumbers vertex(int depth) const;
 
  private:
   friend class BatchSampler;
   Sampler(SamplerKind kind, std::uint32_t seed, std::uint32_t pixel_hash, std::uint32_t sample)
       : kind_(kind), seed_(seed), pixel_hash_(pixel_hash), sample_(sample) {}
 
-  // Fills numbers_ for the eight dimensions of `block` and of block + 1.
-  void generate(std::uint32_t block);
+  // Two neighbouring dimensions, of which the first is even.
+  Vec2 pair(std::uint32_t dimension) const;
 
   SamplerKind kind_;
   std::uint32_t seed_;
   std::uint32_t pixel_hash_ = 0, sample_ = 0;
-  std::uint32_t first_block_ = ~0u;
-  alignas(64) float numbers_[16];
 };
 
 // The same numbers for the paths of a batch, all of which are at the same sample of their pixels.

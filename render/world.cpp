@@ -138,8 +138,6 @@ void parameterise(const RectangleGeometry& rectangle, const EmbreeHit& hit, Surf
 // A segment ends just short of its target, so that the target does not shadow itself.
 constexpr float kShortened = 1.0f - 1e-4f;
 
-inline Vec3 unit(const Vec3& v) { return v * (1.0f / std::sqrt(length_squared(v))); }
-
 // At unit length and on the side of the geometric normal. The shading normal is zero where opposite
 // ones meet: the geometric one then stands in.
 inline Vec3 unit_shading_normal(const Vec3& shading, const Vec3& unit_geometric) {
@@ -261,7 +259,7 @@ bool World::intersect(const Vec3& origin, const Vec3& direction, SurfaceHit& hit
   hit.distance = found.distance;
   hit.position = origin + direction * found.distance;
   impl_->locate_hit(found, hit);
-  hit.geometric_normal = unit(hit.geometric_normal);
+  hit.geometric_normal = normalize(hit.geometric_normal);
   hit.shading_normal = unit_shading_normal(hit.shading_normal, hit.geometric_normal);
   return true;
 }
@@ -291,7 +289,7 @@ BatchMask World::intersect(const BatchRay& rays, BatchMask active, Coherence coh
     hits.surface[i] = hit.surface;
   });
   for_whole_batch([&](int i) {
-    const Vec3 geometric = unit(hits.geometric_normal[i]);
+    const Vec3 geometric = normalize(hits.geometric_normal[i]);
     const Vec3 shading = unit_shading_normal(hits.shading_normal[i], geometric);
     hits.geometric_normal.set(i, geometric);
     hits.shading_normal.set(i, shading);

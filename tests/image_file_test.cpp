@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "render/film_image.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 #include "tests/scene_text.h"
 

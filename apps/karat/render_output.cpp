@@ -6,7 +6,9 @@
 #include <filesystem>
 
 #include "render/film_image.h"
+#include "render/image_codec.h"
 #include "render/image_file.h"
+#include "render/replace_file.h"
 
 namespace karat {
 namespace {
@@ -48,6 +50,7 @@ RenderOutput::RenderOutput(const RenderCommandOptions& options) : options_(optio
     if (!path.empty()) check_writable(path);
   }
   if (std::any_of(options.outputs.begin(), options.outputs.end(), is_png)) {
+    require_image_codec();
     view_.emplace(options.ocio, options.display, options.view, options.exposure_stops);
   }
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/karat/render_output.h"
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "render/version.h"
 #include "spectral/support/error.h"
 

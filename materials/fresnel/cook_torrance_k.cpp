@@ -10,14 +10,7 @@
 namespace karat {
 namespace {
 
-// 1 - F0 is computed apart, as next to 1 the difference cancels. A material that reflects all gets
-// a large extinction.
-ComplexIndex recovered(double n, double k) {
-  const double rest = std::max(normal_absorptance(n, k), 1e-8);
-  return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestKernelIndex)};
-}
-
-class CookTorranceExtinctionFresnel final : public FresnelModel {
+class CookTorranceExtinctionFresnel final : public ExactFormFresnel {
  public:
   std::string description() const override {
     return "exact equations for n = 1, k = 2 sqrt(F0 / (1 - F0))";
@@ -26,22 +19,12 @@ class CookTorranceExtinctionFresnel final : public FresnelModel {
     return "Cook and Torrance 1982, ACM Transactions on Graphics 1(1), section 5";
   }
 
-  FresnelTables prepare(const LatticeIndex& index) const override {
-    return exact_tables(index, recovered);
-  }
-
-  SampledSpectrum reflectance(const FresnelTables& tables, int phase,
-                              float cos_theta) const override {
-    return exact_reflectance(tables, phase, cos_theta);
-  }
-
-  std::optional<PolarisedReflectance> polarised(const FresnelTables& tables, int phase,
-                                                float cos_theta) const override {
-    return exact_polarised(tables, phase, cos_theta);
-  }
-
-  Scalar evaluate(ComplexIndex index, double cos_theta) const override {
-    return exact_scalar(recovered(index.n, index.k), cos_theta);
+  // 1 - F0 is computed apart, as next to 1 the difference cancels. A material that reflects all
+  // gets a large extinction.
+  ComplexIndex substitute(ComplexIndex index) const override {
+    const auto [n, k] = index;
+    const double rest = std::max(normal_absorptance(n, k), 1e-8);
+    return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestKernelIndex)};
   }
 };
 

@@ -11,15 +11,7 @@
 namespace karat {
 namespace {
 
-// 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects
-// all, or more than 0.99987, gets the largest index that the kernel takes.
-ComplexIndex recovered(double n, double k) {
-  const double root = std::sqrt(normal_incidence(n, k));
-  const double rest = std::max(normal_absorptance(n, k), 1e-8);
-  return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestKernelIndex), 0.0};
-}
-
-class CookTorranceIndexFresnel final : public FresnelModel {
+class CookTorranceIndexFresnel final : public ExactFormFresnel {
  public:
   std::string description() const override {
     return "exact equations for n = (1 + sqrt F0) / (1 - sqrt F0), k = 0";
@@ -28,22 +20,13 @@ class CookTorranceIndexFresnel final : public FresnelModel {
     return "Cook and Torrance 1982, ACM Transactions on Graphics 1(1), section 5";
   }
 
-  FresnelTables prepare(const LatticeIndex& index) const override {
-    return exact_tables(index, recovered);
-  }
-
-  SampledSpectrum reflectance(const FresnelTables& tables, int phase,
-                              float cos_theta) const override {
-    return exact_reflectance(tables, phase, cos_theta);
-  }
-
-  std::optional<PolarisedReflectance> polarised(const FresnelTables& tables, int phase,
-                                                float cos_theta) const override {
-    return exact_polarised(tables, phase, cos_theta);
-  }
-
-  Scalar evaluate(ComplexIndex index, double cos_theta) const override {
-    return exact_scalar(recovered(index.n, index.k), cos_theta);
+  // 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects
+  // all, or more than 0.99987, gets the largest index that the kernel takes.
+  ComplexIndex substitute(ComplexIndex index) const override {
+    const auto [n, k] = index;
+    const double root = std::sqrt(normal_incidence(n, k));
+    const double rest = std::max(normal_absorptance(n, k), 1e-8);
+    return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestKernelIndex), 0.0};
   }
 };
 

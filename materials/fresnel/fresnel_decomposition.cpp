@@ -30,11 +30,6 @@ class FresnelDecomposition final : public ParametricFresnel {
     return {std::clamp(c2, -10.0, 10.0), std::clamp(c3, -10.0, 10.0)};
   }
 
-  FresnelTables prepare_with(const LatticeIndex& index,
-                             const std::vector<LatticeSpectrum>& values) const override {
-    return {{lattice_of(index, normal_incidence), values[0], values[1]}};
-  }
-
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];

@@ -6,28 +6,16 @@
 // squares against the exact reflectance over all lattice wavelengths and over angles spread evenly
 // between 0 and 90 degrees. The power is the same at every wavelength, so that it is computed once.
 #include "materials/fresnel_compensation.h"
-#include "materials/fresnel_parametric.h"
 
 namespace karat {
 namespace {
 
-class CompensatedMetalFresnel final : public ParametricFresnel {
+class CompensatedMetalFresnel final : public CompensatedFresnel {
  public:
   std::string description() const override {
     return "lazanyi minus a cos (1 - cos)^alpha, one a and alpha per metal, clamped to [0, 1]";
   }
-  std::string source() const override {
-    return "Lazanyi and Szirmay-Kalos, WSCG short papers 2005, 77-80; a and alpha fitted here";
-  }
   bool per_wavelength() const override { return false; }
-  std::vector<FresnelParameter> parameters() const override {
-    return {{"a", "strength of the error term", -kLargestA, kLargestA, true},
-            {"alpha", "exponent of the error term", kLeastAlpha, kLargestAlpha, true}};
-  }
-  std::vector<double> chosen(ComplexIndex index) const override {
-    const Compensation fit = fit_compensation(rescaled_errors(index));
-    return {fit.a, fit.alpha};
-  }
 
   std::vector<LatticeSpectrum> chosen_on(const LatticeIndex& index) const override {
     FitAngles mean{};
@@ -42,11 +30,6 @@ class CompensatedMetalFresnel final : public ParametricFresnel {
             LatticeSpectrum(static_cast<float>(fit.alpha))};
   }
 
-  FresnelTables prepare_with(const LatticeIndex& index,
-                             const std::vector<LatticeSpectrum>& values) const override {
-    return {{lattice_of(index, normal_incidence), values[0], values[1]}};
-  }
-
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];
@@ -59,12 +42,6 @@ class CompensatedMetalFresnel final : public ParametricFresnel {
       r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - error, 0.0f, 1.0f);
     }
     return r;
-  }
-
-  double evaluate_with(ComplexIndex index, double cos_theta,
-                       const std::vector<double>& values) const override {
-    const double error = values[0] * cos_theta * std::pow(1.0 - cos_theta, values[1]);
-    return std::clamp(rescaled_schlick(index, cos_theta) - error, 0.0, 1.0);
   }
 };
 

@@ -91,11 +91,6 @@ class SchlickExponentFresnel final : public ParametricFresnel {
     return {ExponentFit(index).best(), 1.0};
   }
 
-  FresnelTables prepare_with(const LatticeIndex& index,
-                             const std::vector<LatticeSpectrum>& values) const override {
-    return {{lattice_of(index, normal_incidence), values[0], values[1]}};
-  }
-
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "render/scene_json.h"
 #include "spectral/support/error.h"
 

@@ -13,7 +13,7 @@
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_check.h"
 #include "apps/karat/progress.h"
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "apps/karat/fresnel/study_report.h"
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

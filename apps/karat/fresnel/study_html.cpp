@@ -8,7 +8,7 @@
 #include "apps/karat/embedded_file.h"
 #include "apps/karat/fresnel/study_report.h"
 #include "apps/karat/swatch.h"
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

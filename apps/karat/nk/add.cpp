@@ -18,7 +18,7 @@
 #include "materials/index_import/header.h"
 #include "materials/index_path.h"
 #include "materials/index_table_file.h"
-#include "render/image_file.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

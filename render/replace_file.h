@@ -1,0 +1,17 @@
+// Files that are either whole or not there: written beside their place, then renamed.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace karat {
+
+// Throws RuntimeError, saying why, when a file could not be written at `path`: the folder is
+// missing or not writable, or `path` is itself a folder or a device. Creates nothing that stays.
+void check_writable(const std::string& path);
+
+// Calls `write` with a temporary name beside `path`, then renames to `path`. When anything throws,
+// the temporary file is removed and what stood at `path` is untouched. Throws RuntimeError.
+void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);
+
+}  // namespace karat
