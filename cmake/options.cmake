@@ -5,9 +5,7 @@ add_library(karat_options INTERFACE)
 target_include_directories(karat_options INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(karat_options INTERFACE
   KARAT_LANES=${KARAT_LANES}
-  KARAT_VERSION="${PROJECT_VERSION}"
-  KARAT_SOURCE_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
-  KARAT_INSTALL_DATA_DIR="${CMAKE_INSTALL_FULL_DATADIR}/karat")
+  KARAT_VERSION="${PROJECT_VERSION}")
 
 # -fno-math-errno, -fno-trapping-math and -fopenmp-simd let lane loops vectorise and change no value;
 # NaN keeps its meaning. -ffp-contract=fast: products and sums may become one fused instruction.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "materials/fresnel_table.h"
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "materials/thin_film.h"
 
 namespace karat {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "spectral/support/registry.h"
 
 namespace karat {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 
 namespace karat {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "materials/bsdf.h"
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "materials/parameters.h"
 #include "spectral/support/registry.h"
 

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "materials/vector.h"
 #include "spectral/spectrum.h"
 

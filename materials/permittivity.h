@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 
 namespace karat {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "materials/material.h"
 
 namespace karat {

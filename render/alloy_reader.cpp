@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/element.h"
-#include "materials/index_mixture.h"
+#include "materials/index/element.h"
+#include "materials/index/index_mixture.h"
 #include "render/index_reader.h"
 #include "spectral/spectrum_file.h"
 #include "spectral/support/error.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "materials/index_interpolation.h"
+#include "materials/index/index_interpolation.h"
 #include "render/version.h"
 #include "spectral/colour.h"
 

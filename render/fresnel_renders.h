@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/fresnel_cost.h"
+#include "materials/fresnel_study/fresnel_cost.h"
 #include "render/image_file.h"
 
 namespace karat {

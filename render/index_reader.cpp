@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "materials/film_stack.h"
-#include "materials/index_mixture.h"
+#include "materials/index/index_mixture.h"
 #include "render/alloy_reader.h"
 #include "render/oscillator_reader.h"
 #include "spectral/support/error.h"

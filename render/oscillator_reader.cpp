@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "materials/index_oscillators.h"
+#include "materials/index/index_oscillators.h"
 
 namespace karat {
 namespace {

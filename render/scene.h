@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 #include "materials/material.h"
 #include "render/camera.h"
 #include "render/light.h"

@@ -6,7 +6,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "materials/index_interpolation.h"
+#include "materials/index/index_interpolation.h"
 #include "materials/material.h"
 #include "render/camera.h"
 #include "render/index_schema.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "materials/index_interpolation.h"
+#include "materials/index/index_interpolation.h"
 #include "render/integrator.h"
 #include "spectral/observer.h"
 #include "spectral/support/error.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 #include "render/index_reader.h"
 #include "spectral/colour.h"
 #include "spectral/illuminant.h"

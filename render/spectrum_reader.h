@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "materials/index_interpolation.h"
-#include "materials/index_table.h"
+#include "materials/index/index_interpolation.h"
+#include "materials/index/index_table.h"
 #include "render/scene_json.h"
 #include "spectral/spectrum.h"
 

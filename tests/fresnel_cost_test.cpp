@@ -1,9 +1,9 @@
 // Measuring costs: kernels of known relative cost come out in their proportion.
-#include "materials/fresnel_cost.h"
+#include "materials/fresnel_study/fresnel_cost.h"
 
 #include <catch2/catch.hpp>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 
 using namespace karat;

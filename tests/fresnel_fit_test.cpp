@@ -1,4 +1,4 @@
-#include "materials/fresnel_fit.h"
+#include "materials/fresnel_study/fresnel_fit.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

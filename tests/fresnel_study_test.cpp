@@ -1,12 +1,12 @@
 // The study of Fresnel models against computations of its own: complex amplitudes in double loops,
 // closed forms, and CIEDE2000 of colours summed nanometre by nanometre.
-#include "materials/fresnel_study.h"
+#include "materials/fresnel_study/fresnel_study.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/fresnel_ranking.h"
-#include "materials/index_catalogue.h"
+#include "materials/fresnel_study/fresnel_ranking.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/illuminant.h"
 #include "spectral/support/error.h"
 #include "tests/reference_fresnel.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/index_import.h"
-#include "materials/index_import/header.h"
-#include "materials/index_table_file.h"
+#include "materials/index/import/header.h"
+#include "materials/index/index_import.h"
+#include "materials/index/index_table_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -1,4 +1,4 @@
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 
 #include <unistd.h>
 

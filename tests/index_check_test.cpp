@@ -1,12 +1,12 @@
-#include "materials/index_check.h"
+#include "materials/index/index_check.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
 
 #include "apps/karat/run_karat.h"
-#include "materials/index_catalogue.h"
-#include "materials/kramers_kronig.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/kramers_kronig.h"
 
 namespace karat {
 namespace {

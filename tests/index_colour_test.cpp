@@ -1,4 +1,4 @@
-#include "materials/index_colour.h"
+#include "materials/index/index_colour.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 
 using namespace karat;
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "materials/index_catalogue.h"
-#include "materials/index_table_file.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_table_file.h"
 #include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
 

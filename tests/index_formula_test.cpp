@@ -1,6 +1,6 @@
 // Each dispersion formula against values that others published, or against its text evaluated by
 // hand.
-#include "materials/index_formula.h"
+#include "materials/index/index_formula.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

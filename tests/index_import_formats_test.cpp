@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <random>
 
-#include "materials/index_import/permittivity.h"
+#include "materials/index/import/permittivity.h"
 #include "tests/imported.h"
 
 using namespace karat;

@@ -1,4 +1,4 @@
-#include "materials/index_import.h"
+#include "materials/index/index_import.h"
 
 #include <fmt/format.h>
 

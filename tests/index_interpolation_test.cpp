@@ -1,10 +1,10 @@
-#include "materials/index_interpolation.h"
+#include "materials/index/index_interpolation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/index_catalogue.h"
-#include "materials/index_rows.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_rows.h"
 #include "render/film_image.h"
 #include "render/image_file.h"
 #include "spectral/monotone_cubic.h"

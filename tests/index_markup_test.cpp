@@ -1,4 +1,4 @@
-#include "materials/index_markup.h"
+#include "materials/index/index_markup.h"
 
 #include <catch2/catch.hpp>
 #include <ctime>

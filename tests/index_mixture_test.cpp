@@ -1,13 +1,13 @@
-#include "materials/index_mixture.h"
+#include "materials/index/index_mixture.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "materials/element.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_colour.h"
+#include "materials/index/element.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_colour.h"
 #include "materials/permittivity.h"
 #include "spectral/illuminant.h"
 #include "spectral/support/error.h"

@@ -1,8 +1,8 @@
-#include "materials/index_names.h"
+#include "materials/index/index_names.h"
 
 #include <catch2/catch.hpp>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 
 using namespace karat;

@@ -1,4 +1,4 @@
-#include "materials/index_oscillators.h"
+#include "materials/index/index_oscillators.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "materials/index_rows.h"
+#include "materials/index/index_rows.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "materials/index_search.h"
+#include "materials/index/index_search.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 #include "tests/run_cli.h"
 
 namespace {

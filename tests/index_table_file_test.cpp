@@ -1,4 +1,4 @@
-#include "materials/index_table_file.h"
+#include "materials/index/index_table_file.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -33,7 +33,7 @@ struct Estimate {
 Scene load(const std::string& name, const Overrides& overrides = {}) {
   SceneOverrides changes;
   changes.values = overrides;
-  return load_scene(KARAT_SOURCE_DATA_DIR "/../tests/scenes/" + name + ".json", changes);
+  return load_scene(KARAT_TEST_SCENE_DIR "/" + name + ".json", changes);
 }
 
 Estimate estimate(Scene& scene, const std::string& integrator, int spp, std::uint32_t first_seed) {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/karat/run_karat.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_path.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_path.h"
 #include "render/scene_loader.h"
 #include "spectral/support/error.h"
 #include "tests/imported.h"

@@ -31,8 +31,7 @@ const Both& both() {
   static const Both images = [] {
     SceneOverrides overrides;
     overrides.spp = kSpp;
-    const Scene scene =
-        load_scene(KARAT_SOURCE_DATA_DIR "/../tests/scenes/rings_area.json", overrides);
+    const Scene scene = load_scene(KARAT_TEST_SCENE_DIR "/rings_area.json", overrides);
     Film film = test::rendered(scene);
     Image ours = film_image(scene, film), theirs = read_image(kReference);
     for (float& v : theirs.values) v *= static_cast<float>(kNormalisation);

@@ -11,7 +11,7 @@
 
 #include "materials/film_stack.h"
 #include "materials/fresnel.h"
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 
 namespace karat {

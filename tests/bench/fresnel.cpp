@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 
 namespace {
 

@@ -66,7 +66,7 @@ Result measure(const std::string& scene_file, int spp, std::uint32_t seed, const
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string root = KARAT_SOURCE_DATA_DIR "/..";
+  const std::string root = KARAT_SOURCE_DIR;
   const int spp = argc > 1 ? std::stoi(argv[1]) : 16;
   const std::string file =
       argc > 2 ? argv[2] : root + "/../shared/reference/rings_area/mitsuba_reference.exr";

@@ -30,7 +30,7 @@ double median(std::vector<double> v) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string file = argc > 1 ? argv[1] : KARAT_SOURCE_DATA_DIR "/scenes/rings.json";
+  const std::string file = argc > 1 ? argv[1] : KARAT_SOURCE_DIR "/data/scenes/rings.json";
   SceneOverrides overrides;
   overrides.width = 480;
   overrides.height = 270;

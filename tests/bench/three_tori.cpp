@@ -125,7 +125,7 @@ void measure(const std::string& file) {
 int main(int argc, char** argv) {
   std::vector<std::string> scenes(argv + 1, argv + argc);
   if (scenes.empty()) {
-    const std::string folder = KARAT_SOURCE_DATA_DIR "/../tests/scenes/three_tori_";
+    const std::string folder = KARAT_SOURCE_DIR "/tests/scenes/three_tori_";
     scenes = {folder + "smooth.json", folder + "rough.json"};
   }
   for (const std::string& scene : scenes) measure(scene);

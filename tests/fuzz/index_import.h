@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "materials/index_import.h"
-#include "materials/index_table_file.h"
+#include "materials/index/index_import.h"
+#include "materials/index/index_table_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "materials/index_table_file.h"
+#include "materials/index/index_table_file.h"
 #include "spectral/support/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -12,8 +12,8 @@
 #include "apps/karat/fresnel/named_values.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_check.h"
-#include "materials/fresnel_fit_material.h"
-#include "materials/index_catalogue.h"
+#include "materials/fresnel_study/fresnel_fit_material.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/fresnel_fit_material.h"
+#include "materials/fresnel_study/fresnel_fit_material.h"
 
 namespace karat {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/fresnel_cost.h"
-#include "materials/fresnel_ranking.h"
-#include "materials/fresnel_study.h"
+#include "materials/fresnel_study/fresnel_cost.h"
+#include "materials/fresnel_study/fresnel_ranking.h"
+#include "materials/fresnel_study/fresnel_study.h"
 #include "render/fresnel_renders.h"
 
 namespace karat {

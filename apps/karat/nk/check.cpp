@@ -8,8 +8,8 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_check.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_check.h"
 
 namespace karat {
 namespace {

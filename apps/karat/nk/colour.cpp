@@ -10,7 +10,7 @@
 #include "apps/karat/json_output.h"
 #include "apps/karat/nk/colour_options.h"
 #include "apps/karat/swatch.h"
-#include "materials/index_catalogue.h"
+#include "materials/index/index_catalogue.h"
 
 namespace karat {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "materials/index_colour.h"
+#include "materials/index/index_colour.h"
 
 namespace karat {
 

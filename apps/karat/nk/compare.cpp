@@ -13,9 +13,9 @@
 #include "apps/karat/number_list.h"
 #include "apps/karat/picture_check.h"
 #include "apps/karat/swatch.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_compare.h"
-#include "materials/index_coverage.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_compare.h"
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -8,8 +8,8 @@
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_list.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_coverage.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {

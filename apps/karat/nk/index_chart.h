@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/karat/chart.h"
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 
 namespace karat {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "materials/index_table.h"
+#include "materials/index/index_table.h"
 
 namespace karat {
 

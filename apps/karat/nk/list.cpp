@@ -8,9 +8,9 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_colour.h"
-#include "materials/index_table_file.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_colour.h"
+#include "materials/index/index_table_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {

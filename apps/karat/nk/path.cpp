@@ -6,8 +6,8 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_path.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_path.h"
 
 namespace karat {
 namespace {

@@ -9,8 +9,8 @@
 #include "apps/karat/nk/index_chart.h"
 #include "apps/karat/number_check.h"
 #include "apps/karat/picture_check.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_interpolation.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_interpolation.h"
 
 namespace karat {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "apps/karat/command.h"
-#include "materials/index_folder.h"
-#include "materials/index_path.h"
+#include "materials/index/index_folder.h"
+#include "materials/index/index_path.h"
 #include "spectral/support/error.h"
 
 namespace karat {

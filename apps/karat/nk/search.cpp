@@ -8,7 +8,7 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
-#include "materials/index_search.h"
+#include "materials/index/index_search.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -9,9 +9,9 @@
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_list.h"
 #include "apps/karat/swatch.h"
-#include "materials/index_catalogue.h"
-#include "materials/index_colour.h"
-#include "materials/index_coverage.h"
+#include "materials/index/index_catalogue.h"
+#include "materials/index/index_colour.h"
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {

@@ -1,0 +1,50 @@
+#include "materials/fresnel_study/fresnel_ranking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace karat {
+namespace {
+
+FresnelRank rank_of(std::size_t model, const std::vector<FresnelMaterialStudy>& materials) {
+  FresnelRank rank;
+  rank.model = materials.front().models[model].model;
+  const double count = static_cast<double>(materials.size());
+  double square = 0.0;
+  for (const FresnelMaterialStudy& material : materials) {
+    const FresnelModelStudy& study = material.models[model];
+    rank.max_abs_error = std::max(rank.max_abs_error, study.error.max_abs);
+    square += study.error.rms * study.error.rms;
+    rank.delta_e_mean += study.colour_error.mean / count;
+    rank.delta_e_albedo = std::max(rank.delta_e_albedo, study.colour_error.albedo);
+    if (rank.worst_material.empty() || study.colour_error.max > rank.delta_e_max) {
+      rank.delta_e_max = study.colour_error.max;
+      rank.worst_material = material.table->provenance().name;
+    }
+  }
+  rank.rms_error = std::sqrt(square / count);
+  return rank;
+}
+
+}  // namespace
+
+std::vector<FresnelRank> rank_fresnel_models(const std::vector<FresnelMaterialStudy>& materials,
+                                             const std::vector<FresnelCost>& costs) {
+  std::vector<FresnelRank> ranks;
+  if (materials.empty()) return ranks;
+  for (std::size_t i = 0; i < materials.front().models.size(); ++i) {
+    ranks.push_back(rank_of(i, materials));
+    const auto cost = std::find_if(costs.begin(), costs.end(), [&](const FresnelCost& c) {
+      return c.model == ranks.back().model;
+    });
+    if (cost != costs.end()) ranks.back().cost_relative = cost->relative.median;
+  }
+  for (FresnelRank& rank : ranks) {
+    rank.efficient = std::none_of(ranks.begin(), ranks.end(), [&](const FresnelRank& other) {
+      return other.cost_relative < rank.cost_relative && other.delta_e_mean < rank.delta_e_mean;
+    });
+  }
+  return ranks;
+}
+
+}  // namespace karat
