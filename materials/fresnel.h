@@ -5,6 +5,7 @@
 // exterior: prepare() divides by the exterior index, in every model.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +22,15 @@ struct FresnelTables {
 
 // A number that a model's formula leaves open: prepare() chooses it, a scene may state it.
 struct FresnelParameter {
-  std::string name;         // as in a scene: "exponent"
-  std::string description;  // one sentence
-  double min, max;          // both allowed
-  bool per_material;        // one number for all wavelengths; otherwise one per wavelength
+  std::string name;           // as in a scene: "exponent"
+  std::string description;    // one sentence
+  double min, max;            // both allowed
+  bool per_material;          // one number for all wavelengths; otherwise one per wavelength
+  bool whole_number = false;  // a size, which a fit leaves alone
 };
+
+// Empty, or what is wrong with a stated value and what is allowed.
+std::string parameter_error(const FresnelParameter& parameter, double value);
 
 struct PolarisedReflectance {
   SampledSpectrum s;
@@ -50,7 +55,9 @@ class FresnelModel {
   // cannot work at these wavelengths (colour channels outside the visible).
   virtual FresnelTables prepare(const LatticeIndex& index) const = 0;
 
-  // In [0, 1] for cos_theta in [0, 1]; runs in the loop, once per spectrum.
+  // What the paper's form gives for cos_theta in [0, 1]: finite, but outside [0, 1] where an
+  // approximation leaves it, which a study must see. What scatters light takes
+  // bounded_reflectance(). Runs in the loop, once per spectrum.
   virtual SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                                       float cos_theta) const = 0;
 
@@ -90,5 +97,13 @@ class FresnelModel {
     return evaluate(relative_index, cos_theta).unpolarised;
   }
 };
+
+// The reflectance in [0, 1], so that no approximation creates light or takes more than there is.
+inline SampledSpectrum bounded_reflectance(const FresnelModel& model, const FresnelTables& tables,
+                                           int phase, float cos_theta) {
+  SampledSpectrum r = model.reflectance(tables, phase, cos_theta);
+  for (int i = 0; i < kLanes; ++i) r[i] = std::clamp(r[i], 0.0f, 1.0f);
+  return r;
+}
 
 }  // namespace karat

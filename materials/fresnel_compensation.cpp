@@ -1,5 +1,7 @@
 #include "materials/fresnel_compensation.h"
 
+#include <utility>
+
 #include "materials/fresnel_terms.h"
 
 namespace karat {
@@ -14,7 +16,7 @@ double exponent(double place) {
 
 // For a given alpha the best a is a quotient of two sums, and the error that it removes is
 // (sum e b)^2 / sum b^2 with b = c (1 - c)^alpha: only alpha is searched for, first among fixed
-// exponents whose b are tabulated once, then by the parabola through the best three.
+// exponents whose b are tabulated once, then by Newton's method between the best one's neighbours.
 class LeastSquares {
  public:
   LeastSquares() {
@@ -37,25 +39,49 @@ class LeastSquares {
     for (std::size_t e = 1; e < kExponents; ++e) {
       if (removed(e) > removed(best)) best = e;
     }
-    double place = static_cast<double>(best);
-    if (best > 0 && best + 1 < kExponents) {
-      const double below = removed(best - 1), above = removed(best + 1);
-      const double curvature = below - 2.0 * removed(best) + above;
-      if (curvature < 0.0) place += 0.5 * (below - above) / curvature;
+    const auto tabulated = [](std::size_t e) { return exponent(static_cast<double>(e)); };
+    double low = tabulated(best > 0 ? best - 1 : 0);
+    double high = tabulated(std::min(best + 1, kExponents - 1));
+    double alpha = tabulated(best);
+    for (int i = 0; i < kSteps; ++i) {
+      const Sums sums(alpha, errors);
+      (sums.slope() > 0.0 ? low : high) = alpha;
+      const double next = alpha - sums.slope() / sums.curvature();
+      const bool inside = next >= low && next <= high;  // false for a NaN
+      const double last = std::exchange(alpha, inside ? next : 0.5 * (low + high));
+      if (std::abs(alpha - last) <= 1e-13 * alpha) break;
     }
-    return with_exponent(exponent(place), errors);
+    return {Sums(alpha, errors).strength(), alpha};
   }
 
  private:
-  static Compensation with_exponent(double alpha, const FitAngles& errors) {
-    double product = 0.0, square = 0.0;
-    for (std::size_t j = 0; j < kFitAngles; ++j) {
-      const double c = fit_cosines()[j], b = c * std::pow(1.0 - c, alpha);
-      product += errors[j] * b;
-      square += b * b;
+  static constexpr int kSteps = 60;  // Newton takes 3 to 5; bisection ends in the last bit
+
+  // Of one exponent: sum e b, sum b^2, and their first and second derivatives by alpha.
+  struct Sums {
+    double product = 0.0, product1 = 0.0, product2 = 0.0;
+    double square = 0.0, square1 = 0.0, square2 = 0.0;
+
+    Sums(double alpha, const FitAngles& errors) {
+      for (std::size_t j = 0; j < kFitAngles; ++j) {
+        const double c = fit_cosines()[j], log = std::log1p(-c);
+        const double b = c * std::exp(alpha * log);
+        product += errors[j] * b;
+        product1 += errors[j] * b * log;
+        product2 += errors[j] * b * log * log;
+        square += b * b;
+        square1 += 2.0 * b * b * log;
+        square2 += 4.0 * b * b * log * log;
+      }
     }
-    return {product / square, alpha};
-  }
+    double strength() const { return product / square; }
+    // Of the logarithm of the error removed.
+    double slope() const { return 2.0 * product1 / product - square1 / square; }
+    double curvature() const {
+      return 2.0 * (product2 * product - product1 * product1) / (product * product) -
+             (square2 * square - square1 * square1) / (square * square);
+    }
+  };
 
   std::array<std::array<double, kExponents>, kFitAngles> basis_;
   std::array<double, kExponents> squares_{};

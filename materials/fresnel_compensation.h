@@ -28,7 +28,7 @@ FitAngles rescaled_errors(ComplexIndex index);
 // several wavelengths at once is the fit to their mean errors, as the term is the same for all.
 Compensation fit_compensation(const FitAngles& errors);
 
-// Both models but for how their values vary: S(c) - a c (1 - c)^alpha, clamped to [0, 1].
+// Both models but for how their values vary: S(c) - a c (1 - c)^alpha.
 class CompensatedFresnel : public ParametricFresnel {
  public:
   std::string source() const final {
@@ -46,7 +46,7 @@ class CompensatedFresnel : public ParametricFresnel {
   double evaluate_with(ComplexIndex index, double cos_theta,
                        const std::vector<double>& values) const final {
     const double error = values[0] * cos_theta * std::pow(1.0 - cos_theta, values[1]);
-    return std::clamp(rescaled_schlick(index, cos_theta) - error, 0.0, 1.0);
+    return rescaled_schlick(index, cos_theta) - error;
   }
 };
 

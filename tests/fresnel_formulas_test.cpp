@@ -30,13 +30,14 @@ double f82(double n, double k, double c, bool clamped) {
   const double f0 = f0_of(n, k), s = schlick(f0, 1.0 / 7.0);
   const double wanted = clamped ? std::min(exact(n, k, 1.0 / 7.0), s) : exact(n, k, 1.0 / 7.0);
   const double b = (s - wanted) * (std::pow(7.0, 7.0) / std::pow(6.0, 6.0));
-  return std::clamp(schlick(f0, c) - b * c * std::pow(1.0 - c, 6.0), 0.0, 1.0);
+  const double r = schlick(f0, c) - b * c * std::pow(1.0 - c, 6.0);
+  return clamped ? std::clamp(r, 0.0, 1.0) : r;
 }
 
-double table(double n, double k, double c) {
-  const double x = 15.0 * 4.0 * c / (1.0 + 3.0 * c);
-  const double below = std::min(std::floor(x), 14.0);
-  const auto node = [&](double j) { return exact(n, k, (j / 15.0) / (4.0 - 3.0 * j / 15.0)); };
+double table(double n, double k, double c, double angles) {
+  const double last = angles - 1.0, x = last * 4.0 * c / (1.0 + 3.0 * c);
+  const double below = std::min(std::floor(x), last - 1.0);
+  const auto node = [&](double j) { return exact(n, k, (j / last) / (4.0 - 3.0 * j / last)); };
   return node(below) + (x - below) * (node(below + 1.0) - node(below));
 }
 
@@ -87,15 +88,17 @@ const std::vector<Formula>& formulas() {
        {3.7, 0.9}},
       {"lazanyi-compensated",
        [](double n, double k, double c) {
-         return std::clamp(schlick(f0_of(n, k), c) - 0.4 * c * std::pow(1 - c, 4.0), 0.0, 1.0);
+         return schlick(f0_of(n, k), c) - 0.4 * c * std::pow(1 - c, 4.0);
        },
        {0.4, 4.0}},
       {"lazanyi-compensated-metal",
        [](double n, double k, double c) {
-         return std::clamp(schlick(f0_of(n, k), c) - 1.2 * c * std::pow(1 - c, 6.0), 0.0, 1.0);
+         return schlick(f0_of(n, k), c) - 1.2 * c * std::pow(1 - c, 6.0);
        },
        {1.2, 6.0}},
-      {"table", table},
+      {"table", [](double n, double k, double c) { return table(n, k, c, 16.0); }},
+      {"table", [](double n, double k, double c) { return table(n, k, c, 2.0); }, {2.0}},
+      {"table", [](double n, double k, double c) { return table(n, k, c, 93.0); }, {93.0}},
       // A material without colour is the same in every channel.
       {"rgb-exact-average", exact},
       {"rgb-exact-650-550-450", exact},
@@ -179,11 +182,10 @@ TEST_CASE("the approximations agree with tabulated values within 1e-6", "[fresne
     for (const auto& [key, value] : c["lazanyi_compensated"].items()) {
       double a = 0.0, alpha = 0.0;
       REQUIRE(std::sscanf(key.c_str(), "a=%lf,alpha=%lf", &a, &alpha) == 2);
-      const double expected = std::clamp(value.get<double>(), 0.0, 1.0);
-      check("lazanyi-compensated", c, expected, {a, alpha});
-      check("lazanyi-compensated-metal", c, expected, {a, alpha});
+      check("lazanyi-compensated", c, value, {a, alpha});
+      check("lazanyi-compensated-metal", c, value, {a, alpha});
     }
-    check("hoffman-f82", c, std::clamp(c["f82"].get<double>(), 0.0, 1.0));
+    check("hoffman-f82", c, c["f82"]);
   }
 }
 
@@ -191,7 +193,13 @@ TEST_CASE("the models are exact where they claim to be", "[fresnel]") {
   const auto difference = [](const std::string& name, double n, double k, double c) {
     return std::abs(model(name).evaluate({n, k}, c).unpolarised - exact(n, k, c));
   };
-  for (const auto& [n, k] : {std::pair{0.42, 2.40}, {0.96, 6.69}, {2.95, 2.93}, {1.5, 0.0}}) {
+  for (const auto& [n, k] : {std::pair{0.42, 2.40},
+                             {0.96, 6.69},
+                             {2.95, 2.93},
+                             {1.5, 0.0},
+                             // Below the n that a tint of 1 gives: no metal, but an index.
+                             {0.21, 0.51},
+                             {0.7, 0.0}}) {
     CAPTURE(n, k);
     for (const std::string& name : Registry<FresnelModel>::instance().names()) {
       CAPTURE(name);
@@ -203,8 +211,12 @@ TEST_CASE("the models are exact where they claim to be", "[fresnel]") {
       const double u = j / 15.0;
       CHECK(difference("table", n, k, u / (4.0 - 3.0 * u)) <= 1e-12);
     }
-    // One edge tint for a material of one index: only another name for it.
-    for (const double c : {0.05, 0.3, 0.8}) CHECK(difference("gulbrandsen", n, k, c) <= 1e-9);
+    // One edge tint for a material of one index: only another name for it. Next to a critical angle
+    // a k of 0 comes back as the root of a rounding.
+    const double name_only = k == 0.0 && n < 1.0 ? 1e-7 : 1e-9;
+    for (const double c : {0.05, 0.3, 0.8}) {
+      CHECK(difference("gulbrandsen", n, k, c) <= name_only);
+    }
   }
   for (const double c : {0.05, 0.3, 0.8}) {
     CHECK(difference("cook-torrance-n", 1.7, 0.0, c) <= 1e-12);

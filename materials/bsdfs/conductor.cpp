@@ -35,7 +35,7 @@ class SmoothConductorBsdf final : public Bsdf {
     if (!(wo.z > 0.0f)) return result;
     BsdfSample& sample = result.emplace();
     sample.wi = {-wo.x, -wo.y, wo.z};
-    sample.weight = fresnel_->reflectance(*tables_, phase_, std::min(wo.z, 1.0f));
+    sample.weight = bounded_reflectance(*fresnel_, *tables_, phase_, std::min(wo.z, 1.0f));
     sample.pdf = 1.0f;
     sample.lobes = lobes();
     return result;
@@ -58,7 +58,7 @@ class RoughConductorBsdf final : public Bsdf {
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const override {
     const FacetReflection r = facets_.evaluate(wo, wi);
     if (!(r.pdf > 0.0f)) return {SampledSpectrum(0.0f), 0.0f};
-    return {fresnel_->reflectance(*tables_, phase_, r.cos_facet) * r.value, r.pdf};
+    return {bounded_reflectance(*fresnel_, *tables_, phase_, r.cos_facet) * r.value, r.pdf};
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const BsdfNumbers& u) const override {
@@ -67,7 +67,7 @@ class RoughConductorBsdf final : public Bsdf {
     if (!s) return result;
     BsdfSample& sample = result.emplace();
     sample.wi = s->wi;
-    sample.weight = fresnel_->reflectance(*tables_, phase_, s->cos_facet);
+    sample.weight = bounded_reflectance(*fresnel_, *tables_, phase_, s->cos_facet);
     sample.weight *= s->weight;
     sample.pdf = s->pdf;
     sample.lobes = lobes();

@@ -6,7 +6,7 @@
 // metals and transparent media, b2 and b3 are those of what it leaves. The published basis is not
 // at hand: materials/fresnel_basis.cpp computes one from a stated training set. c2 and c3 make R
 // exact at two matching angles per wavelength; it is exact at 0 and 90 degrees too. The sum may
-// leave [0, 1] far from the training set, and is clamped.
+// leave [0, 1] far from the training set.
 #include "materials/fresnel_basis.h"
 #include "materials/fresnel_parametric.h"
 
@@ -39,8 +39,7 @@ class FresnelDecomposition final : public ParametricFresnel {
     const float first = b1, second = b2, third = b3;
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
-      const float sum = f0[i] + (1.0f - f0[i]) * first + c2[i] * second + c3[i] * third;
-      r[i] = std::clamp(sum, 0.0f, 1.0f);
+      r[i] = f0[i] + (1.0f - f0[i]) * first + c2[i] * second + c3[i] * third;
     }
     return r;
   }
@@ -49,7 +48,7 @@ class FresnelDecomposition final : public ParametricFresnel {
                        const std::vector<double>& values) const override {
     const double f0 = normal_incidence(index.n, index.k);
     const auto b = FresnelBasis::instance().at(cos_theta);
-    return std::clamp(f0 + (1.0 - f0) * b.b1 + values[0] * b.b2 + values[1] * b.b3, 0.0, 1.0);
+    return f0 + (1.0 - f0) * b.b1 + values[0] * b.b2 + values[1] * b.b3;
   }
 };
 

@@ -9,8 +9,8 @@
 // wavelength, and g is the one number of least squared error over the lattice's wavelengths and
 // over angles spread evenly between 0 and 90 degrees. A stated edge tint may be a spectrum.
 //
-// Every n and k has a g in [0, 1] except where n is below (1 - r)/(1 + r), which is a nearly
-// transparent medium thinner than what surrounds it: g = 1 then, and only F0 is exact.
+// The paper's g is in [0, 1]. Where n is below (1 - r)/(1 + r), a nearly transparent medium thinner
+// than what surrounds it, n and k need a g above 1, and have one: 1 + n^2 for k = 0, at most 2.
 #include "materials/fresnel_angles.h"
 #include "materials/fresnel_parametric.h"
 
@@ -18,6 +18,7 @@ namespace karat {
 namespace {
 
 constexpr int kWavelengths = 32;  // of the lattice, for the fit
+constexpr double kLargestTint = 2.0;
 
 // What of n and k stays when only F0 is known: the ends between which g interpolates.
 struct Reflectivity {
@@ -31,7 +32,7 @@ struct Reflectivity {
 
   double tint(double n) const {
     const double width = largest_n - least_n;
-    return width > 0.0 ? std::clamp((largest_n - n) / width, 0.0, 1.0) : 1.0;
+    return width > 0.0 ? std::clamp((largest_n - n) / width, 0.0, kLargestTint) : 1.0;
   }
   ComplexIndex index(double tint) const {
     const double n = std::max(tint * least_n + (1.0 - tint) * largest_n, 0.0);
@@ -50,28 +51,38 @@ class TintFit {
       const int lane = place / kPhases, phase = place % kPhases;
       const ComplexIndex m{double{index.n[phase][lane]}, double{index.k[phase][lane]}};
       reflectivities_.emplace_back(m);
+      own_tints_.push_back(reflectivities_.back().tint(m.n));
       wanted_.push_back(exact_at_fit_cosines(m));
     }
   }
 
-  // g = 1 - exp(-x): metals crowd next to 1, where n is largest over 1 - g.
   double best() const {
-    constexpr double kFirst = 0.0, kLast = 20.0;
-    constexpr int kTried = 60;
-    double best = kFirst, error = squares(kFirst);
-    for (int i = 1; i <= kTried; ++i) {
-      const double x = kFirst + (kLast - kFirst) * i / kTried, e = squares(x);
+    // A material of one index has its tint, which the angles of the fit alone may leave open.
+    const auto [least_own, largest_own] = std::minmax_element(own_tints_.begin(), own_tints_.end());
+    if (*least_own == *largest_own) return *least_own;
+    constexpr int kEven = 120;
+    constexpr double kLast = 2.0 * kMiddle, kStep = kLast / kEven;
+    double best = 0.0, error = squares(best);
+    for (int i = 1; i <= kEven; ++i) {
+      const double x = kStep * i, e = squares(x);
       if (e < error) best = x, error = e;
     }
-    const double step = (kLast - kFirst) / kTried;
-    return 1.0 - std::exp(-golden_section(std::max(best - step, kFirst), best + step));
+    return tint(golden_section(std::max(best - kStep, 0.0), std::min(best + kStep, kLast)));
   }
 
  private:
+  static constexpr double kMiddle = 20.0;
+
+  // Metals crowd next to g = 1, where n is largest over 1 - g. The search therefore runs over x: g
+  // = 1 - exp(-x) from 0 to 1, and from there to 2 by the same curve turned round.
+  static double tint(double x) {
+    return x < kMiddle ? 1.0 - std::exp(-x) : 1.0 + std::exp(x - 2.0 * kMiddle);
+  }
+
   double squares(double x) const {
     double sum = 0.0;
     for (std::size_t w = 0; w < wanted_.size(); ++w) {
-      const ComplexIndex m = reflectivities_[w].index(1.0 - std::exp(-x));
+      const ComplexIndex m = reflectivities_[w].index(tint(x));
       for (std::size_t j = 0; j < kFitAngles; j += 2) {
         const double e = exact_scalar(m, fit_cosines()[j]).unpolarised - wanted_[w][j];
         sum += e * e;
@@ -97,6 +108,7 @@ class TintFit {
   }
 
   std::vector<Reflectivity> reflectivities_;
+  std::vector<double> own_tints_;
   std::vector<FitAngles> wanted_;
 };
 
@@ -108,8 +120,8 @@ class GulbrandsenFresnel final : public ParametricFresnel {
   std::string source() const override { return "Gulbrandsen 2014, JCGT 3(4), 64-72"; }
   bool per_wavelength() const override { return false; }
   std::vector<FresnelParameter> parameters() const override {
-    return {
-        {"edge_tint", "0: no absorption; 1: the least n of this reflectivity", 0.0, 1.0, false}};
+    return {{"edge_tint", "0: no absorption; 1: the least n of this reflectivity, above 1: less",
+             0.0, kLargestTint, false}};
   }
   std::vector<double> chosen(ComplexIndex index) const override {
     return {Reflectivity(index).tint(index.n)};

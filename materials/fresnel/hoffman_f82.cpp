@@ -6,8 +6,8 @@
 // where c (1 - c)^6 is largest. Exact at 0, 81.8 and 90 degrees.
 //
 // These formats store the tint F(mu) / S(mu) and clamp it to 1, which gold, silver and brass exceed
-// at short wavelengths: here F(mu) itself is the parameter, and nothing is clamped but the result,
-// to [0, 1]. What the clamped tint costs is the model "rgb-f82".
+// at short wavelengths: here F(mu) itself is the parameter, and nothing is clamped. What
+// the clamped tint costs is the model "rgb-f82".
 #include "materials/fresnel_exact.h"
 #include "materials/fresnel_f82.h"
 #include "materials/fresnel_parametric.h"
@@ -18,7 +18,7 @@ namespace {
 class HoffmanF82Fresnel final : public ParametricFresnel {
  public:
   std::string description() const override {
-    return "schlick minus b cos (1 - cos)^6, exact at 81.8 degrees too, clamped to [0, 1]";
+    return "schlick minus b cos (1 - cos)^6, exact at 81.8 degrees too";
   }
   std::string source() const override {
     return "Hoffman 2019, MAM, 10.2312/mam.20191305; Kutz, Hasan and Edmondson 2021; OpenPBR";
@@ -49,9 +49,7 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
     const SampledSpectrum& b = tables.planes[1][phase];
     const float x = fifth_power(1.0f - cos_theta), dip = f82_dip(cos_theta);
     SampledSpectrum r;
-    for (int i = 0; i < kLanes; ++i) {
-      r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - b[i] * dip, 0.0f, 1.0f);
-    }
+    for (int i = 0; i < kLanes; ++i) r[i] = f0[i] + (1.0f - f0[i]) * x - b[i] * dip;
     return r;
   }
 
@@ -59,7 +57,7 @@ class HoffmanF82Fresnel final : public ParametricFresnel {
                        const std::vector<double>& values) const override {
     const double f0 = normal_incidence(index.n, index.k);
     const double dip = f82_strength(f0, values[0]) * f82_dip(cos_theta);
-    return std::clamp(schlick_from_f0(f0, cos_theta) - dip, 0.0, 1.0);
+    return schlick_from_f0(f0, cos_theta) - dip;
   }
 };
 

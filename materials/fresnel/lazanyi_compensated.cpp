@@ -5,7 +5,7 @@
 // "Fresnel term approximations for metals", WSCG short papers, 2005, pages 77 to 80. The paper fits
 // a and alpha once per metal (the model "lazanyi-compensated-metal"); here they are fitted per
 // wavelength, by least squares against the exact reflectance over angles spread evenly between 0
-// and 90 degrees. The difference may leave [0, 1] where the fit is poor, and is clamped.
+// and 90 degrees. The difference may leave [0, 1] where the fit is poor.
 #include "materials/fresnel_compensation.h"
 
 namespace karat {
@@ -14,7 +14,7 @@ namespace {
 class CompensatedLazanyiFresnel final : public CompensatedFresnel {
  public:
   std::string description() const override {
-    return "lazanyi minus a cos (1 - cos)^alpha, fitted per wavelength, clamped to [0, 1]";
+    return "lazanyi minus a cos (1 - cos)^alpha, fitted per wavelength";
   }
 
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
@@ -27,7 +27,7 @@ class CompensatedLazanyiFresnel final : public CompensatedFresnel {
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
       const float error = a[i] * cos_theta * exp2_of_negative(alpha[i] * logarithm);
-      r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - error, 0.0f, 1.0f);
+      r[i] = f0[i] + (1.0f - f0[i]) * x - error;
     }
     return r;
   }

@@ -13,7 +13,7 @@ namespace {
 class CompensatedMetalFresnel final : public CompensatedFresnel {
  public:
   std::string description() const override {
-    return "lazanyi minus a cos (1 - cos)^alpha, one a and alpha per metal, clamped to [0, 1]";
+    return "lazanyi minus a cos (1 - cos)^alpha, one a and alpha per metal";
   }
   bool per_wavelength() const override { return false; }
 
@@ -39,7 +39,7 @@ class CompensatedMetalFresnel final : public CompensatedFresnel {
         a * cos_theta * exp2_of_negative(alpha * log2_of_fraction(1.0f - cos_theta));
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
-      r[i] = std::clamp(f0[i] + (1.0f - f0[i]) * x - error, 0.0f, 1.0f);
+      r[i] = f0[i] + (1.0f - f0[i]) * x - error;
     }
     return r;
   }

@@ -23,7 +23,7 @@ class FreeParameters {
                  const std::map<std::string, double>& fixed)
       : infos_(std::move(infos)), start_(std::move(start)) {
     for (std::size_t i = 0; i < infos_.size(); ++i) {
-      if (fixed.count(infos_[i].name) == 0) free_.push_back(i);
+      if (!infos_[i].whole_number && fixed.count(infos_[i].name) == 0) free_.push_back(i);
     }
   }
 
@@ -156,11 +156,8 @@ Values start_values(const FresnelModel& model, const FresnelData& data,
     const auto it = std::find(known.begin(), known.end(), name);
     if (it == known.end()) throw InputError(unknown_name_message("parameter", name, known));
     const auto i = static_cast<std::size_t>(it - known.begin());
-    if (!(value >= infos[i].min && value <= infos[i].max)) {
-      throw InputError(
-          "", name,
-          fmt::format("found {:g}, allowed: {:g} to {:g}", value, infos[i].min, infos[i].max));
-    }
+    const std::string error = parameter_error(infos[i], value);
+    if (!error.empty()) throw InputError("", name, error);
     values[i] = value;
   }
   return values;

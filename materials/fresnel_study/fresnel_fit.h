@@ -31,8 +31,9 @@ FresnelFit fresnel_residual(const FresnelModel& model, const FresnelData& data,
 // One set of values for all indices, each within its parameter's range, with the least sum of
 // squared differences. Parameters named in `fixed` keep the value given there. Levenberg and
 // Marquardt's method (Ceres' small solver) from what the model would choose and from the best of a
-// grid of starting points. Throws InputError for an unknown name or a value out of range. A model
-// without parameters, or with all of them fixed, is not fitted: the result is its residual.
+// grid of starting points. Throws InputError for an unknown name or a value out of range. Whole
+// numbers keep what the model chooses unless they are fixed. Where nothing is left to fit, the
+// result is the residual.
 FresnelFit fit_fresnel(const FresnelModel& model, const FresnelData& data,
                        const std::map<std::string, double>& fixed = {});
 

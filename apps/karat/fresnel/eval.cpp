@@ -155,11 +155,8 @@ std::vector<double> parameter_values(const EvalOptions& options, const FresnelMo
     if (it == given.end()) {
       throw InputError("", "--set", fmt::format("{} needs \"{}\" too", options.model, info.name));
     }
-    if (!(it->second >= info.min && it->second <= info.max)) {
-      throw InputError(
-          "", "--set " + info.name,
-          fmt::format("found {:g}, allowed: {:g} to {:g}", it->second, info.min, info.max));
-    }
+    const std::string error = parameter_error(info, it->second);
+    if (!error.empty()) throw InputError("", "--set " + info.name, error);
     values.push_back(it->second);
   }
   for (const auto& [name, value] : given) {
@@ -230,6 +227,7 @@ class FresnelEval final : public Command {
     eval->add_option(
             "--set", options->parameters,
             "NAME=VALUE: a free parameter (all of them, or none), see `karat fresnel list`")
+        ->allow_extra_args(false)
         ->check(named_value_check());
     eval->add_option("FILE", options->file,
                      "CSV with the header n,k,theta_deg[,n_exterior]; - is standard input")

@@ -139,16 +139,22 @@ int fit(const Options& options) {
   return 0;
 }
 
+bool can_be_fitted(const FresnelModel& model) {
+  const std::vector<FresnelParameter> parameters = model.parameters();
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const FresnelParameter& info) { return !info.whole_number; });
+}
+
 // "" for a model that has something to fit.
 std::string check_model(const std::string& name) {
   const FresnelModel* model = Models::instance().find(name);
   if (!model) return unknown_name_message("Fresnel model", name, Models::instance().names());
-  if (!model->parameters().empty()) return "";
+  if (can_be_fitted(*model)) return "";
   std::vector<std::string> with_parameters;
   for (const std::string& other : Models::instance().names()) {
-    if (!Models::instance().find(other)->parameters().empty()) with_parameters.push_back(other);
+    if (can_be_fitted(*Models::instance().find(other))) with_parameters.push_back(other);
   }
-  return fmt::format("\"{}\" has no free parameters; these have: {}", name,
+  return fmt::format("\"{}\" has no parameters to fit; these have: {}", name,
                      fmt::join(with_parameters, ", "));
 }
 
@@ -175,6 +181,7 @@ class FresnelFitCommand final : public Command {
     command->add_flag("--over-range", o->over_range,
                       "One set of values for all wavelengths; some models have no other");
     command->add_option("--fix", o->fixed, "NAME=VALUE: a parameter that is not fitted")
+        ->allow_extra_args(false)
         ->check(named_value_check());
     command->add_option("--n-exterior", o->n_exterior, "Index of the medium outside")
         ->capture_default_str()

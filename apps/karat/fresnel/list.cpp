@@ -19,7 +19,8 @@ nlohmann::ordered_json parameters_json(const FresnelModel& model) {
     parameters.push_back({{"name", info.name},
                           {"description", info.description},
                           {"range", {info.min, info.max}},
-                          {"per_material", info.per_material}});
+                          {"per_material", info.per_material},
+                          {"whole_number", info.whole_number}});
   }
   return parameters;
 }
