@@ -102,7 +102,7 @@ class FresnelModel {
 inline SampledSpectrum bounded_reflectance(const FresnelModel& model, const FresnelTables& tables,
                                            int phase, float cos_theta) {
   SampledSpectrum r = model.reflectance(tables, phase, cos_theta);
-  for (int i = 0; i < kLanes; ++i) r[i] = std::clamp(r[i], 0.0f, 1.0f);
+  for (int i = 0; i < kLanes; ++i) r[i] = std::min(std::max(r[i], 0.0f), 1.0f);
   return r;
 }
 

@@ -84,10 +84,9 @@ FresnelBasis::FresnelBasis() {
   rest.row(kNodes - 1).setZero();
   double independent = 0.0;
   for (int i = 0; i < kNodes; ++i) {
-    const auto node = static_cast<std::size_t>(i);
-    nodes_[0][node] = static_cast<float>(b1[i]);
-    nodes_[1][node] = static_cast<float>(rest(i, 0));
-    nodes_[2][node] = static_cast<float>(rest(i, 1));
+    nodes_[static_cast<std::size_t>(i)] = {static_cast<float>(b1[i]),
+                                           static_cast<float>(rest(i, 0)),
+                                           static_cast<float>(rest(i, 1)), 0.0f};
     for (int j = 0; j < i; ++j) {
       const double determinant = std::abs(rest(i, 0) * rest(j, 1) - rest(i, 1) * rest(j, 0));
       if (!(determinant > independent)) continue;

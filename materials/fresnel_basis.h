@@ -1,6 +1,7 @@
 // The three functions of angle from which the model "fresnel-decomposition" is made.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "materials/index/index_table.h"
@@ -8,10 +9,10 @@
 namespace karat {
 
 // b1 is 0 at normal and 1 at grazing incidence; b2 and b3 are 0 at both ends and at most 1 in
-// magnitude. Linear in u = 4 c / (1 + 3 c) between 129 nodes.
+// magnitude. Linear in u = 4 c / (1 + 3 c) between 128 nodes.
 class FresnelBasis {
  public:
-  static constexpr int kNodes = 129;
+  static constexpr int kNodes = 128;
 
   // Computed on first use (some 10 ms), then shared; safe from any thread.
   static const FresnelBasis& instance();
@@ -20,17 +21,31 @@ class FresnelBasis {
   struct Values {
     Real b1, b2, b3;
   };
+  // b1, b2, b3 and a 0, so that four lanes hold a node.
+  using Node = std::array<float, 4>;
+  const std::array<Node, kNodes>& nodes() const { return nodes_; }
+
+  // Between which nodes a cosine lies: `below` and the next one.
+  template <typename Real>
+  struct Place {
+    unsigned below;
+    Real fraction;
+  };
+  template <typename Real>
+  static Place<Real> place(Real cos_theta) {
+    const Real u = Real(kNodes - 1) * Real(4) * cos_theta / (Real(1) + Real(3) * cos_theta);
+    const int below = std::min(static_cast<int>(u), kNodes - 2);
+    return {static_cast<unsigned>(below), u - static_cast<Real>(below)};
+  }
   template <typename Real>
   Values<Real> at(Real cos_theta) const {
-    const Real u = Real(kNodes - 1) * Real(4) * cos_theta / (Real(1) + Real(3) * cos_theta);
-    const int j = u < Real(kNodes - 2) ? static_cast<int>(u) : kNodes - 2;
-    const Real t = u - static_cast<Real>(j);
-    const auto mix = [&](const std::array<float, kNodes>& nodes) {
-      const Real a = static_cast<Real>(nodes[static_cast<std::size_t>(j)]);
-      const Real b = static_cast<Real>(nodes[static_cast<std::size_t>(j) + 1]);
-      return a + (b - a) * t;
+    const auto [below, t] = place(cos_theta);
+    const auto mix = [&, t = t](const Node& a, const Node& b, std::size_t i) {
+      const Real first = static_cast<Real>(a[i]);
+      return first + (static_cast<Real>(b[i]) - first) * t;
     };
-    return {mix(nodes_[0]), mix(nodes_[1]), mix(nodes_[2])};
+    const Node &a = nodes_[below], &b = nodes_[below + 1];
+    return {mix(a, b, 0), mix(a, b, 1), mix(a, b, 2)};
   }
 
   // Where c2 and c3 are matched: the cosines of the two nodes at which b2 and b3 are most
@@ -48,7 +63,7 @@ class FresnelBasis {
  private:
   FresnelBasis();
 
-  std::array<std::array<float, kNodes>, 3> nodes_;
+  std::array<Node, kNodes> nodes_;
   std::array<double, 2> matching_{};
 };
 

@@ -1,4 +1,7 @@
 // `karat fresnel study` as its users meet it: the files, and the page in a browser.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +13,7 @@
 #include "apps/karat/fresnel/study_options.h"
 #include "apps/karat/run_karat.h"
 #include "materials/fresnel.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 
 using namespace karat;
@@ -69,6 +73,24 @@ std::string browser() {
   return "";
 }
 
+struct OpenedPage {
+  std::string shown, console;
+};
+
+// The page as a browser has it after its scripts have run.
+OpenedPage opened(const fs::path& page) {
+  const fs::path folder = page.parent_path();
+  const std::string dom = (folder / "dom.html").string(), log = (folder / "log").string();
+  const std::string command = "timeout 120 " + browser() +
+                              " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
+                              " --window-size=1400,1000 --virtual-time-budget=10000"
+                              " --user-data-dir='" +
+                              (folder / "profile").string() + "' --dump-dom 'file://" +
+                              page.string() + "' >'" + dom + "' 2>'" + log + "'";
+  REQUIRE(std::system(command.c_str()) == 0);
+  return {text_of(dom), text_of(log)};
+}
+
 const std::vector<std::string> kSections{"summary", "reflectance", "errors", "colour", "cost",
                                          "render",  "pareto",      "tables", "method"};
 
@@ -125,14 +147,7 @@ TEST_CASE("the page of a study with renders needs nothing else, and works in a b
     WARN("skipped: no Chromium to open the page in");
     return;
   }
-  const std::string dom = (folder.path / "dom.html").string(), log = (folder.path / "log").string();
-  const std::string command = "timeout 120 " + browser() +
-                              " --headless --no-sandbox --disable-gpu --enable-logging=stderr"
-                              " --virtual-time-budget=5000 --user-data-dir='" +
-                              (folder.path / "profile").string() + "' --dump-dom 'file://" +
-                              page.string() + "' >'" + dom + "' 2>'" + log + "'";
-  REQUIRE(std::system(command.c_str()) == 0);
-  const std::string shown = text_of(dom), console = text_of(log);
+  const auto [shown, console] = opened(page);
   CHECK(console.find("CONSOLE") == std::string::npos);
   CHECK_THAT(shown, Contains("data-ready=\"yes\""));
   for (std::size_t i = 0; i < kSections.size(); ++i) {
@@ -145,6 +160,74 @@ TEST_CASE("the page of a study with renders needs nothing else, and works in a b
   }
   CHECK(count(shown, "<button class=\"model\"") == 3);
   CHECK(count(shown, "data:image/png;base64,") >= 3);
+}
+
+// The page, with a script that acts at its end, and what that wrote down.
+nlohmann::json actions_on(const fs::path& page) {
+  const fs::path acted = page.parent_path() / "acted.html";
+  std::string html = text_of(page);
+  html.insert(html.rfind("</body>"), "<script>" + text_of(KARAT_TEST_REPORT_ACTIONS) + "</script>");
+  std::ofstream(acted, std::ios::binary) << html;
+  const auto [shown, console] = opened(acted);
+  CHECK(console.find("CONSOLE") == std::string::npos);
+  const std::string begin = "<pre id=\"actions\">";
+  const std::size_t at = shown.find(begin);
+  REQUIRE(at != std::string::npos);
+  const std::size_t first = at + begin.size();
+  return nlohmann::json::parse(shown.substr(first, shown.find("</pre>", first) - first));
+}
+
+TEST_CASE("the report answers its reader: values, zoom, models, choices, order",
+          "[fresnel_report]") {
+  if (browser().empty()) {
+    WARN("skipped: no Chromium to open the page in");
+    return;
+  }
+  const Folder folder;
+  REQUIRE(run_study(folder.path, {"--no-render", "--nk", "main/Cu/Johnson,main/Ag/Johnson",
+                                  "--models", "exact,schlick,large-nk"}) == 0);
+  const auto seen = actions_on(folder.path / "index.html");
+  const auto list = [&](const char* key) { return seen[key].get<std::vector<std::string>>(); };
+  const auto text = [&](const char* key) { return seen[key].get<std::string>(); };
+
+  // Values under the pointer are those of copper at 550 nm and 60 degrees.
+  const ComplexIndex copper = find_index_table("main/Cu/Johnson")->at(550.0);
+  CHECK_THAT(text("hover"), Contains("angle 60 deg"));
+  for (const char* name : {"exact", "schlick", "large-nk"}) {
+    const FresnelModel& model = *Registry<FresnelModel>::instance().find(name);
+    const std::string value =
+        fmt::format("{:.3g}  {}", model.evaluate(copper, 0.5).unpolarised, name);
+    CHECK_THAT(text("hover"), Contains(value));
+  }
+  CHECK(text("left").empty());
+  CHECK_THAT(text("map"), Contains("89 deg") && Contains("error") && Contains("exact 0.9"));
+  CHECK_THAT(text("mark"), Contains("all materials") && Contains("cost"));
+
+  // The wheel scrolls the page and zooms with Ctrl; dragging moves; "whole range" goes back.
+  CHECK(list("ticks").front() == "0");
+  CHECK(seen["wheel_alone"] == seen["ticks"]);
+  CHECK(seen["zoomed"] != seen["ticks"]);
+  CHECK(seen["dragged"] != seen["zoomed"]);
+  CHECK(seen["reset_offered"] == true);
+  CHECK(seen["whole"] == seen["ticks"]);
+  CHECK(seen["double_click"] != seen["ticks"]);
+
+  CHECK(seen["lines"] == 3);
+  CHECK(seen["without_schlick"]["lines"] == 2);
+  using Names = std::vector<std::string>;
+  CHECK(seen["without_schlick"]["pressed"] == Names{"exact", "large-nk"});
+  CHECK(seen["without_schlick"]["rows"] == Names{"exact", "large-nk"});
+  CHECK(seen["schlick_alone"] == Names{"exact", "schlick"});
+  CHECK(seen["all"] == Names{"exact", "schlick", "large-nk"});
+
+  CHECK_THAT(list("other_material")[0], Contains("Ag Johnson at 550 nm, unpolarised"));
+  CHECK_THAT(list("other_material")[1], Contains("Ag Johnson"));
+  CHECK_THAT(seen["p_polarised"]["titles"][0].get<std::string>(), Contains("p polarised"));
+  CHECK(seen["p_polarised"]["lines"] == 2);  // schlick knows no polarisation
+  CHECK_THAT(list("first_wavelength")[0], Contains("380 nm"));
+  auto down = list("costs");
+  std::reverse(down.begin(), down.end());
+  CHECK(list("costs_sorted_down") == down);
 }
 
 TEST_CASE("steps of a grid are read or refused with what is allowed", "[fresnel_report]") {

@@ -198,14 +198,18 @@ TEST_CASE("the ranking finds the models that no other beats", "[fresnel_study]")
     material.models.push_back(study);
   };
   add("exact", 0.0), add("cheap", 2.0), add("bad", 3.0), add("middle", 1.0);
+  add("as cheap", 2.5), add("the same", 2.0 + 1e-9);
   const auto cost = [](const std::string& name, double relative) {
     return FresnelCost{name, {}, {relative, relative, relative}};
   };
   const auto ranks = rank_fresnel_models(
-      {material}, {cost("exact", 1.0), cost("cheap", 0.2), cost("bad", 0.5), cost("middle", 0.4)});
-  REQUIRE(ranks.size() == 4);
+      {material}, {cost("exact", 1.0), cost("cheap", 0.2), cost("bad", 0.5), cost("middle", 0.4),
+                   cost("as cheap", 0.1999), cost("the same", 0.2001)});
+  REQUIRE(ranks.size() == 6);
   CHECK(ranks[0].efficient);
   CHECK(ranks[1].efficient);
   CHECK_FALSE(ranks[2].efficient);
   CHECK(ranks[3].efficient);
+  CHECK_FALSE(ranks[4].efficient);  // a thousandth cheaper: nobody can measure that
+  CHECK(ranks[5].efficient);
 }

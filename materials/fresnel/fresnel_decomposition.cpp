@@ -30,13 +30,34 @@ class FresnelDecomposition final : public ParametricFresnel {
     return {std::clamp(c2, -10.0, 10.0), std::clamp(c3, -10.0, 10.0)};
   }
 
+  // The nodes of the basis lie behind the parameters, four lanes each: to ask for instance() in the
+  // loop would take longer than all the rest.
+  FresnelTables prepare_with(const LatticeIndex& index,
+                             const std::vector<LatticeSpectrum>& values) const override {
+    static_assert(4 * FresnelBasis::kNodes <= kLatticeSize && kLanes % 4 == 0);
+    FresnelTables tables = ParametricFresnel::prepare_with(index, values);
+    LatticeSpectrum& plane = tables.planes.emplace_back(0.0f);
+    const auto& nodes = FresnelBasis::instance().nodes();
+    for (unsigned j = 0; j < FresnelBasis::kNodes; ++j) {
+      std::copy(nodes[j].begin(), nodes[j].end(), &plane[phase_of(j)][lane_of(j)]);
+    }
+    return tables;
+  }
+
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const SampledSpectrum& f0 = tables.planes[0][phase];
     const SampledSpectrum& c2 = tables.planes[1][phase];
     const SampledSpectrum& c3 = tables.planes[2][phase];
-    const auto [b1, b2, b3] = FresnelBasis::instance().at(cos_theta);
-    const float first = b1, second = b2, third = b3;
+    const auto [below, fraction] = FresnelBasis::place(cos_theta);
+    const LatticeSpectrum& plane = tables.planes[3];
+    const float* a = plane[phase_of(below)].lane.data() + lane_of(below);
+    const float* b = plane[phase_of(below + 1)].lane.data() + lane_of(below + 1);
+    const float t = fraction;
+    alignas(16) float basis[4];
+#pragma omp simd
+    for (int i = 0; i < 4; ++i) basis[i] = a[i] + (b[i] - a[i]) * t;
+    const float first = basis[0], second = basis[1], third = basis[2];
     SampledSpectrum r;
     for (int i = 0; i < kLanes; ++i) {
       r[i] = f0[i] + (1.0f - f0[i]) * first + c2[i] * second + c3[i] * third;
@@ -50,6 +71,11 @@ class FresnelDecomposition final : public ParametricFresnel {
     const auto b = FresnelBasis::instance().at(cos_theta);
     return f0 + (1.0 - f0) * b.b1 + values[0] * b.b2 + values[1] * b.b3;
   }
+
+ private:
+  // Where in a plane the four lanes of a node begin.
+  static int phase_of(unsigned node) { return static_cast<int>(4 * node / kLanes); }
+  static int lane_of(unsigned node) { return static_cast<int>(4 * node % kLanes); }
 };
 
 KARAT_REGISTER(FresnelModel, "fresnel-decomposition", FresnelDecomposition);

@@ -26,6 +26,14 @@ FresnelRank rank_of(std::size_t model, const std::vector<FresnelMaterialStudy>& 
   return rank;
 }
 
+bool beats(const FresnelRank& a, const FresnelRank& b) {
+  const bool as_cheap = a.cost_relative <= b.cost_relative * (1.0 + kSameCost);
+  const bool as_near = a.delta_e_mean <= b.delta_e_mean * (1.0 + kSameError);
+  const bool cheaper = a.cost_relative < b.cost_relative * (1.0 - kSameCost);
+  const bool nearer = a.delta_e_mean < b.delta_e_mean * (1.0 - kSameError);
+  return as_cheap && as_near && (cheaper || nearer);
+}
+
 }  // namespace
 
 std::vector<FresnelRank> rank_fresnel_models(const std::vector<FresnelMaterialStudy>& materials,
@@ -40,9 +48,8 @@ std::vector<FresnelRank> rank_fresnel_models(const std::vector<FresnelMaterialSt
     if (cost != costs.end()) ranks.back().cost_relative = cost->relative.median;
   }
   for (FresnelRank& rank : ranks) {
-    rank.efficient = std::none_of(ranks.begin(), ranks.end(), [&](const FresnelRank& other) {
-      return other.cost_relative < rank.cost_relative && other.delta_e_mean < rank.delta_e_mean;
-    });
+    rank.efficient = std::none_of(ranks.begin(), ranks.end(),
+                                  [&](const FresnelRank& other) { return beats(other, rank); });
   }
   return ranks;
 }

@@ -9,6 +9,10 @@
 
 namespace karat {
 
+// Costs within this part of each other are the same, which is what a study repeats to; and so are
+// errors, as two ways to write one function differ by roundings.
+inline constexpr double kSameCost = 0.02, kSameError = 0.01;
+
 struct FresnelRank {
   std::string model;
   double cost_relative = 0.0;   // median, "exact" is 1
@@ -18,7 +22,7 @@ struct FresnelRank {
   double delta_e_max = 0.0;     // the worst material's and angle's
   double delta_e_albedo = 0.0;  // the worst material's
   std::string worst_material;   // of delta_e_max
-  // No other model costs less and has a smaller delta_e_mean.
+  // No other model is better in cost or delta_e_mean, and as good in the other.
   bool efficient = false;
 };
 

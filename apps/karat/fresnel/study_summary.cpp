@@ -73,7 +73,8 @@ void say_choices(const StudyReport& report, Sentences& sentences) {
     (rank.efficient ? efficient : beaten).push_back(rank.model);
   }
   sentences.push_back(
-      "Worth choosing at all, since no other model is both cheaper and nearer in colour: " +
+      "Worth choosing at all, since no other model is nearer in colour and as cheap, or cheaper "
+      "and as near: " +
       listed(efficient) + ".");
   std::vector<std::string> dearer;
   for (const FresnelRank& rank : report.ranking) {

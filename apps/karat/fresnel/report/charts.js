@@ -48,7 +48,7 @@ class Frame {
     this.reset = this.root.append("button").attr("class", "reset").style("display", "none").text("whole range")
       .on("click", () => this.surface.call(this.zoom.transform, d3.zoomIdentity));
     this.transform = d3.zoomIdentity;
-    this.zoom = d3.zoom().scaleExtent([1, 60]).extent([[0, 0], [w, h]]).translateExtent([[0, 0], [w, h]])
+    this.zoom = d3.zoom().duration(0).scaleExtent([1, 60]).extent([[0, 0], [w, h]]).translateExtent([[0, 0], [w, h]])
       .filter(() => { const e = window.event; return !e || e.type !== "wheel" || e.ctrlKey || e.shiftKey; })
       .on("zoom", event => {
         this.transform = (event && event.transform ? event : d3.event).transform;
