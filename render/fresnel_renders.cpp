@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <random>
 
 #include "render/film_image.h"
 #include "render/fresnel_probes.h"
@@ -142,16 +143,17 @@ FresnelRenders render_fresnel_models(const FresnelRenderOptions& options) {
   contestants.push_back(std::make_unique<Contestant>(options, "exact", 1u));
 
   const int rounds = std::clamp(options.rounds, 1, options.spp);
-  const std::size_t count = contestants.size();
+  std::vector<Contestant*> order;
+  for (const auto& contestant : contestants) order.push_back(contestant.get());
+  std::mt19937 generator;
+  double turns = 0.0;
   for (int round = 0; round < rounds; ++round) {
     const int first = options.spp * round / rounds, last = options.spp * (round + 1) / rounds;
-    for (std::size_t turn = 0; turn < count; ++turn) {
-      const std::size_t i = (turn + static_cast<std::size_t>(round)) % count;
-      contestants[i]->render_samples(first, last);
-      if (options.progress) {
-        options.progress((round + static_cast<double>(turn + 1) / static_cast<double>(count)) /
-                         rounds);
-      }
+    std::shuffle(order.begin(), order.end(), generator);  // nobody always follows the same one
+    for (Contestant* contestant : order) {
+      contestant->render_samples(first, last);
+      turns += 1.0;
+      if (options.progress) options.progress(turns / (rounds * static_cast<double>(order.size())));
     }
   }
 
@@ -167,7 +169,9 @@ FresnelRenders render_fresnel_models(const FresnelRenderOptions& options) {
                              cost_spread(ratios(contestant, exact)), contestant.total_seconds()});
   }
   result.fresnel_share = share_of(ratios(*contestants[names.size()], exact));
-  result.noise = picture_difference(contestants.back()->picture(), reference);
+  const Contestant& exact_again = *contestants.back();
+  result.noise = picture_difference(exact_again.picture(), reference);
+  result.noise_time = cost_spread(ratios(exact_again, exact));
   result.evaluations_per_sample = count_evaluations(options);
   return result;
 }

@@ -1,8 +1,9 @@
 // One scene rendered with one Fresnel model after the other: what an approximation changes in a
 // picture, and how much time it saves of a whole render.
 //
-// All models use the same random numbers. They take turns, some samples each, so that whatever else
-// the machine does meets all of them alike; time is that of the processors, over all threads.
+// All models use the same random numbers. They take turns in random order, some samples each, so
+// that whatever else the machine does meets all of them alike; time is that of the processors, over
+// all threads.
 #pragma once
 
 #include <functional>
@@ -42,8 +43,9 @@ struct FresnelRender {
 struct FresnelRenders {
   int width = 0, height = 0, spp = 0;
   std::vector<FresnelRender> models;  // "exact" first
-  // Two renders with exact and different random numbers: differences below this are noise.
+  // Of a second render with exact and other random numbers: what differs by less is noise.
   PictureDifference noise;
+  CostSpread noise_time;
   // The part of the render's time that the exact model takes: from renders in which it is evaluated
   // 65 times at every place, and paths stay what they are.
   CostSpread fresnel_share;

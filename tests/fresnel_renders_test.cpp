@@ -75,6 +75,9 @@ TEST_CASE("exact differs from itself by nothing, and approximations by something
   CHECK(renders.models[1].difference.max > 0.0);
   CHECK(renders.models[1].difference.delta_e.size() == 48u * 27u);
   CHECK(renders.noise.mean > renders.models[1].difference.mean);
+  // The same work but for its random numbers. (Milliseconds, on a machine that does other things.)
+  CHECK(renders.noise_time.median > 0.2);
+  CHECK(renders.noise_time.median < 5.0);
   // Rings fill a part of the picture, and light is reflected more than once between some of them.
   CHECK(renders.evaluations_per_sample > 0.1);
   CHECK(renders.evaluations_per_sample < 12.0);

@@ -9,9 +9,9 @@ namespace {
 class FresnelCommand final : public Command {
  public:
   void add_to(CLI::App& app, std::function<int()>&) const override {
-    CLI::App* fresnel = app.add_subcommand("fresnel", "Fresnel models: list them, evaluate them");
+    CLI::App* fresnel = app.add_subcommand("fresnel", "Fresnel models: evaluate, fit and compare them");
     fresnel->require_subcommand(1);
-    fresnel->footer("Example: karat fresnel list");
+    fresnel->footer("Example: karat fresnel study -o study");
   }
 };
 

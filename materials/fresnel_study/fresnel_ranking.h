@@ -11,7 +11,7 @@ namespace karat {
 
 // Costs within this part of each other are the same, which is what a study repeats to; and so are
 // errors, as two ways to write one function differ by roundings.
-inline constexpr double kSameCost = 0.02, kSameError = 0.01;
+inline constexpr double kSameCost = 0.05, kSameError = 0.01;
 
 struct FresnelRank {
   std::string model;

@@ -82,6 +82,7 @@ Json renders_json(const FresnelRenders& renders) {
                {"delta_e_scale", kPictureScale},
                {"noise_delta_e_mean", renders.noise.mean},
                {"noise_delta_e_p95", renders.noise.p95},
+               {"noise_relative_time", spread_json(renders.noise_time)},
                {"fresnel_share", spread_json(renders.fresnel_share)},
                {"evaluations_per_sample", renders.evaluations_per_sample},
                {"models", Json::array()}};

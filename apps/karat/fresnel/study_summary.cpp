@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "apps/karat/fresnel/study_report.h"
 
@@ -29,12 +30,18 @@ const FresnelRank* rank_named(const StudyReport& report, const std::string& name
   return rank == report.ranking.end() ? nullptr : &*rank;
 }
 
-// The cheapest model that `accepts`, or nothing.
+// The cheapest model that `accepts`, or nothing; of several that cost the same, the nearest in
+// colour.
 template <typename F>
 const FresnelRank* cheapest(const StudyReport& report, F&& accepts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FresnelRank& rank : report.ranking) {
+    if (accepts(rank)) least = std::min(least, rank.cost_relative);
+  }
   const FresnelRank* best = nullptr;
   for (const FresnelRank& rank : report.ranking) {
-    if (accepts(rank) && (!best || rank.cost_relative < best->cost_relative)) best = &rank;
+    if (!accepts(rank) || rank.cost_relative > least * (1.0 + kSameCost)) continue;
+    if (!best || rank.delta_e_mean < best->delta_e_mean) best = &rank;
   }
   return best;
 }
@@ -161,12 +168,9 @@ void say_render(const StudyReport& report, Sentences& sentences) {
   const auto [least, most] = std::minmax_element(times.begin(), times.end());
   sentences.push_back(fmt::format(
       "Whole renders whose picture differs from exact by less than the noise does took {:.1f} to "
-      "{:.1f} % of the time of "
-      "exact{}.",
-      100.0 * *least, 100.0 * *most,
-      1.0 - *least > renders.fresnel_share.upper
-          ? "; what goes beyond the share of the term is the machine's noise, and other paths"
-          : ""));
+      "{:.1f} % of the time of exact; a second render with exact and other random numbers took "
+      "{:.1f} %.",
+      100.0 * *least, 100.0 * *most, 100.0 * renders.noise_time.median));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ function summary() {
     { title: "error<br>RMS", value: r => r.rms_error }, { title: "error<br>max", value: r => r.max_abs_error },
   ], study.ranking, r => r.efficient ? "efficient" : null);
   d3.select("#ranking").append("p").style("color", "var(--quiet)").style("font-size", "13px")
-    .text("All materials together. Bold: no other model is cheaper and as near in colour, or nearer and as cheap (within 2 %).");
+    .text("All materials together. Bold: no other model is cheaper and as near in colour, or nearer and as cheap (costs within 5 % count as equal).");
 }
 
 function reflectance() {
@@ -275,7 +275,8 @@ function render() {
   d3.select("#render-text").text(`Copper, silver and aluminium rings, ${r.width} x ${r.height} pixels, ${r.spp} samples per pixel, the same random numbers for ` +
     `every model. Left the picture, right CIEDE2000 per pixel against exact, from 0 (dark) to ${number(r.delta_e_scale)} (bright). Two exact renders with different random ` +
     `numbers differ by ${number(r.noise_delta_e_mean)} on average: that is noise. Fresnel takes ${d3.format(".2%")(r.fresnel_share.median)} of the whole render's time ` +
-    `(exact; quartiles ${d3.format(".2%")(r.fresnel_share.lower)} to ${d3.format(".2%")(r.fresnel_share.upper)}), ${number(r.evaluations_per_sample)} evaluations per camera sample.`);
+    `(exact; quartiles ${d3.format(".2%")(r.fresnel_share.lower)} to ${d3.format(".2%")(r.fresnel_share.upper)}), ${number(r.evaluations_per_sample)} evaluations per camera sample. ` +
+    `The second exact render took ${d3.format(".3f")(r.noise_relative_time.median)} of the first one's time: times that differ by no more do not differ.`);
   const bar = d3.select("#pictures").append("div").style("grid-column", "1 / -1").append("svg").attr("width", 440).attr("height", 38);
   bar.append("image").attr("href", r.colour_bar).attr("x", 10).attr("width", 400).attr("height", 14).attr("preserveAspectRatio", "none");
   bar.selectAll("text").data([0, 0.25, 0.5, 0.75, 1]).enter().append("text").attr("x", t => 10 + 400 * t).attr("y", 30).attr("font-size", 12)
