@@ -230,6 +230,36 @@ TEST_CASE("the report answers its reader: values, zoom, models, choices, order",
   CHECK(list("costs_sorted_down") == down);
 }
 
+TEST_CASE("a second study leaves nothing of the first one in its folder", "[fresnel_report]") {
+  const Folder folder;
+  const std::vector<std::string> coarse{"--no-render", "--nm",     "400:700:100",  "--angles",
+                                        "0:90:30",     "--models", "exact,schlick"};
+  auto first = coarse, second = coarse;
+  first.insert(first.end(), {"--nk", "main/Au/Johnson"});
+  second.insert(second.end(), {"--nk", "main/Cu/Johnson"});
+  REQUIRE(run_study(folder.path, first) == 0);
+  std::ofstream(folder.path / "csv/mine.csv") << "kept";
+  REQUIRE(run_study(folder.path, second) == 0);
+  for (const char* file : {"csv/reflectance-Au-Johnson.csv", "csv/albedo-Au-Johnson.csv",
+                           "figures/error-maps-Au-Johnson.svg"}) {
+    CAPTURE(file);
+    CHECK_FALSE(fs::exists(folder.path / file));
+  }
+  CHECK(fs::exists(folder.path / "csv/reflectance-Cu-Johnson.csv"));
+  CHECK(fs::exists(folder.path / "csv/mine.csv"));
+}
+
+TEST_CASE("a study refuses what it cannot mean", "[fresnel_report]") {
+  const Folder folder;
+  CHECK(run_study(folder.path, {"--models", "exact,exact"}) == 2);
+  CHECK(run_study(folder.path, {"--models", "exact,schlik"}) == 2);
+  CHECK(run_study(folder.path, {"--nm", "780:380:5"}) == 2);
+  CHECK(run_study(folder.path, {"--angles", "0:91:1"}) == 2);
+  CHECK(run_study(folder.path, {"--nk", "main/Au/Johnson,Au/Johnson"}) == 3);
+  CHECK(run_study("", {"--no-render"}) == 2);
+  CHECK_FALSE(fs::exists(folder.path));
+}
+
 TEST_CASE("steps of a grid are read or refused with what is allowed", "[fresnel_report]") {
   CHECK(parse_steps("--nm", "400:700:100", 1, 1e6) == std::vector<double>{400, 500, 600, 700});
   CHECK(parse_steps("--angles", "45:45:1", 0, 90) == std::vector<double>{45});

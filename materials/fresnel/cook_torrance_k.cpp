@@ -23,8 +23,8 @@ class CookTorranceExtinctionFresnel final : public ExactFormFresnel {
   // gets a large extinction.
   ComplexIndex substitute(ComplexIndex index) const override {
     const auto [n, k] = index;
-    const double rest = std::max(normal_absorptance(n, k), 1e-8);
-    return {1.0, std::min(2.0 * std::sqrt(normal_incidence(n, k) / rest), kLargestKernelIndex)};
+    const double rest = std::max(normal_absorptance(n, k), 1e-12);
+    return {1.0, 2.0 * std::sqrt(normal_incidence(n, k) / rest)};
   }
 };
 

@@ -21,12 +21,12 @@ class CookTorranceIndexFresnel final : public ExactFormFresnel {
   }
 
   // 1 - sqrt(F0) as (1 - F0) / (1 + sqrt(F0)), which does not cancel. A material that reflects
-  // all, or more than 0.99987, gets the largest index that the kernel takes.
+  // all gets a large index.
   ComplexIndex substitute(ComplexIndex index) const override {
     const auto [n, k] = index;
     const double root = std::sqrt(normal_incidence(n, k));
-    const double rest = std::max(normal_absorptance(n, k), 1e-8);
-    return {std::min((1.0 + root) * (1.0 + root) / rest, kLargestKernelIndex), 0.0};
+    const double rest = std::max(normal_absorptance(n, k), 1e-12);
+    return {(1.0 + root) * (1.0 + root) / rest, 0.0};
   }
 };
 

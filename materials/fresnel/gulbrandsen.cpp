@@ -26,7 +26,7 @@ struct Reflectivity {
 
   explicit Reflectivity(ComplexIndex index)
       : r(normal_incidence(index.n, index.k)),
-        absorptance(std::max(normal_absorptance(index.n, index.k), 1e-8)),
+        absorptance(std::max(normal_absorptance(index.n, index.k), 1e-12)),
         least_n(absorptance / (1.0 + r)),
         largest_n((1.0 + std::sqrt(r)) * (1.0 + std::sqrt(r)) / absorptance) {}
 
@@ -36,9 +36,11 @@ struct Reflectivity {
   }
   ComplexIndex index(double tint) const {
     const double n = std::max(tint * least_n + (1.0 - tint) * largest_n, 0.0);
-    const double k2 = (r * (n + 1.0) * (n + 1.0) - (n - 1.0) * (n - 1.0)) / absorptance;
-    return {std::min(n, kLargestKernelIndex),
-            std::min(std::sqrt(std::max(k2, 0.0)), kLargestKernelIndex)};
+    // What is left of a k of 0 by rounding would matter at a critical angle.
+    const double square = (n + 1.0) * (n + 1.0);
+    const double difference = r * square - (n - 1.0) * (n - 1.0);
+    if (difference <= 1e-15 * square) return {n, 0.0};
+    return {n, std::sqrt(difference / absorptance)};
   }
 };
 

@@ -15,11 +15,9 @@ namespace {
 
 constexpr int kUsualNodes = 16, kMostNodes = 1024;
 
-// Where a cosine lies among the nodes, from 0 to nodes - 1.
-template <typename Real>
-inline Real place(Real c, int nodes) {
-  return static_cast<Real>(nodes - 1) * Real(4) * c / (Real(1) + Real(3) * c);
-}
+// Where a cosine lies among the nodes, from 0 to nodes - 1. In double precision in the loop too: of
+// many nodes a float would leave too little for the place between two.
+inline double place(double c, int nodes) { return (nodes - 1) * 4.0 * c / (1.0 + 3.0 * c); }
 
 double node_cosine(int j, int nodes) {
   const double u = static_cast<double>(j) / (nodes - 1);
@@ -52,9 +50,9 @@ class TableFresnel final : public ParametricFresnel {
   SampledSpectrum reflectance(const FresnelTables& tables, int phase,
                               float cos_theta) const override {
     const int nodes = static_cast<int>(tables.planes.size());
-    const float u = place(cos_theta, nodes);
+    const double u = place(double{cos_theta}, nodes);
     const int j = std::min(static_cast<int>(u), nodes - 2);
-    const float t = std::min(u - static_cast<float>(j), 1.0f);
+    const float t = static_cast<float>(std::min(u - j, 1.0));
     const SampledSpectrum& below = tables.planes[static_cast<std::size_t>(j)][phase];
     const SampledSpectrum& above = tables.planes[static_cast<std::size_t>(j) + 1][phase];
     SampledSpectrum r;

@@ -119,10 +119,10 @@ LatticeIndex FresnelOnGrid::spread(const IndexTable& table,
   };
   for (const double nm : wavelengths_nm) {
     const double width = lattice.bin_width_nm();
+    // Half a bin beyond the centres of the first and the last one the line through two goes on.
     const double bin = width > 0.0 ? (nm - range.min_nm) / width - 0.5 : 0.0;
-    const double clamped = std::clamp(bin, 0.0, kLatticeSize - 1.0);
-    const int below = std::min(static_cast<int>(clamped), kLatticeSize - 2);
-    places_.push_back({slot_of(below), slot_of(below + 1), clamped - below});
+    const int below = std::clamp(static_cast<int>(bin), 0, kLatticeSize - 2);
+    places_.push_back({slot_of(below), slot_of(below + 1), bin - below});
   }
   phases_ = kPhases;
   return on_lattice(table, lattice);

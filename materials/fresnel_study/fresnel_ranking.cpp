@@ -28,9 +28,11 @@ FresnelRank rank_of(std::size_t model, const std::vector<FresnelMaterialStudy>& 
 
 bool beats(const FresnelRank& a, const FresnelRank& b) {
   const bool as_cheap = a.cost_relative <= b.cost_relative * (1.0 + kSameCost);
-  const bool as_near = a.delta_e_mean <= b.delta_e_mean * (1.0 + kSameError);
+  const double a_error = std::max(a.delta_e_mean, kNoError);
+  const double b_error = std::max(b.delta_e_mean, kNoError);
+  const bool as_near = a_error <= b_error * (1.0 + kSameError);
   const bool cheaper = a.cost_relative < b.cost_relative * (1.0 - kSameCost);
-  const bool nearer = a.delta_e_mean < b.delta_e_mean * (1.0 - kSameError);
+  const bool nearer = a_error < b_error * (1.0 - kSameError);
   return as_cheap && as_near && (cheaper || nearer);
 }
 

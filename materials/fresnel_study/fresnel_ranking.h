@@ -9,9 +9,10 @@
 
 namespace karat {
 
-// Costs within this part of each other are the same, which is what a study repeats to; and so are
-// errors, as two ways to write one function differ by roundings.
-inline constexpr double kSameCost = 0.05, kSameError = 0.01;
+// Costs within this part of each other are the same, which is what a study repeats to from process
+// to process. So are errors within a part of each other or below a floor, which is far below what
+// an eye or a picture's eight bits can tell, but above what roundings make.
+inline constexpr double kSameCost = 0.1, kSameError = 0.01, kNoError = 1e-3;
 
 struct FresnelRank {
   std::string model;

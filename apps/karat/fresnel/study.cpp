@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <tuple>
 
 #include "apps/karat/command.h"
@@ -13,6 +15,7 @@
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_check.h"
 #include "apps/karat/progress.h"
+#include "materials/index/index_catalogue.h"
 #include "render/replace_file.h"
 #include "spectral/support/data_path.h"
 #include "spectral/support/error.h"
@@ -52,9 +55,38 @@ struct Options {
   }
 };
 
+void require_distinct(const std::string& option, std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end()) throw InputError("", option, "\"" + *twice + "\" is named twice");
+}
+
+// Of a list's part, without blanks around it: empty, or why it is no model's name.
+std::string model_error(std::string& name) {
+  name = CLI::detail::trim_copy(name);
+  const auto& models = Registry<FresnelModel>::instance();
+  return models.find(name) ? "" : unknown_name_message("Fresnel model", name, models.names());
+}
+
+// What can be told wrong before any table is read is wrong usage.
+void check_usage(const Options& options) {
+  try {
+    parse_steps("--nm", options.nm, 1.0, 1e6);
+    parse_steps("--angles", options.angles, 0.0, 90.0);
+    parse_size(options.render_size);
+    require_distinct("--models", options.models);
+  } catch (const InputError& error) {
+    throw CLI::ValidationError(error.what());
+  }
+  if (options.folder.empty()) throw CLI::ValidationError("--output: needs the name of a folder");
+}
+
 FresnelStudyOptions study_options(const Options& options) {
   FresnelStudyOptions study;
-  study.tables = options.tables;
+  for (const std::string& typed : options.tables) {
+    study.tables.push_back(full_index_name(typed));
+  }
+  require_distinct("--nk", study.tables);
   study.models = options.models.empty() ? usual_study_models() : options.models;
   study.grid = {parse_steps("--nm", options.nm, 1.0, 1e6),
                 parse_steps("--angles", options.angles, 0.0, 90.0)};
@@ -106,8 +138,28 @@ FresnelRenders render_rings(const Options& options, const std::vector<std::strin
   return render_fresnel_models(render);
 }
 
+// Of an earlier study in the same folder: what this one may not write again, and what would then
+// stand beside it as if it belonged to it. Only names that a study gives.
+void remove_earlier(const std::string& folder) {
+  namespace fs = std::filesystem;
+  if (!fs::exists(folder + "/study.json")) return;
+  static const std::regex ours(
+      "(reflectance|albedo)-.*\\.csv|render\\.csv|(reflectance|error-maps|colour)-.*\\.svg");
+  std::error_code ignored;
+  for (const char* part : {"/csv", "/figures"}) {
+    for (const auto& entry : fs::directory_iterator(folder + part, ignored)) {
+      if (std::regex_match(entry.path().filename().string(), ours)) fs::remove(entry, ignored);
+    }
+  }
+  for (const std::string& model : Registry<FresnelModel>::instance().names()) {
+    fs::remove(folder + "/pictures/" + model + ".png", ignored);
+    fs::remove(folder + "/pictures/" + model + "-difference.png", ignored);
+  }
+}
+
 nlohmann::ordered_json write_report(const std::string& folder, const StudyReport& report) {
   const nlohmann::ordered_json json = study_json(report);
+  remove_earlier(folder);
   write_json(folder + "/study.json", json);
   write_study_csv(folder, report);
   write_study_figures(folder, report);
@@ -120,7 +172,6 @@ int run(const Options& options) {
   StudyReport report;
   report.options = study_options(options);
   report.command = options.command();
-  parse_size(options.render_size);  // refused before anything is computed
   make_folder(options.folder);
   Progress progress(options.progress, 0.0);
 
@@ -149,7 +200,9 @@ class FresnelStudyCommand final : public Command {
     CLI::App* study = fresnel.add_subcommand(
         "study", "Error, colour and cost of Fresnel models: a report in a folder");
     study->add_option("--nk", options->tables, "Index tables (twelve metals)")->delimiter(',');
-    study->add_option("--models", options->models, "Fresnel models (all)")->delimiter(',');
+    study->add_option("--models", options->models, "Fresnel models (all)")
+        ->delimiter(',')
+        ->transform(CLI::Validator(model_error, ""));
     study->add_option("--illuminant", options->illuminant, "Light under which colours are compared")
         ->capture_default_str();
     study->add_option("--observer", options->observer, "Standard observer that compares them")
@@ -172,7 +225,10 @@ class FresnelStudyCommand final : public Command {
         ->check(CLI::IsMember({"bar", "lines", "json", "none"}));
     study->add_flag("--json", options->as_json, "Print study.json too");
     study->footer("Example: karat fresnel study --nk main/Au/Johnson,main/Cu/Johnson -o study");
-    study->callback([&action, options] { action = [options] { return run(*options); }; });
+    study->callback([&action, options] {
+      check_usage(*options);
+      action = [options] { return run(*options); };
+    });
   }
 };
 

@@ -70,7 +70,7 @@ class Page {
                  {"wavelengths_nm", thinned(grid.wavelengths_nm)},
                  {"angles_deg", grid.angles_deg},
                  {"swatch_angles_deg", Json::array()},
-                 {"same", {{"cost", kSameCost}, {"error", kSameError}}},
+                 {"same", {{"cost", kSameCost}, {"error", kSameError}, {"floor", kNoError}}},
                  {"materials", Json::array()}};
     for (const std::size_t a : swatch_angles_)
       page["swatch_angles_deg"].push_back(grid.angles_deg[a]);

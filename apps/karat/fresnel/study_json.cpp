@@ -43,6 +43,12 @@ Json material_json(const FresnelMaterialStudy& material) {
           {"other_tables", tables}};
 }
 
+// Relative to exact beyond what an empty call takes, which a renderer pays for every model.
+double net_cost(const StudyReport& report, const FresnelCost& cost) {
+  const double exact = cost_of(report.costs, "exact").ns.median - report.call_ns;
+  return std::max(cost.ns.median - report.call_ns, 0.0) / exact;
+}
+
 Json model_json(const StudyReport& report, const std::string& name) {
   const FresnelModel& model = *Registry<FresnelModel>::instance().find(name);
   const FresnelCost& cost = cost_of(report.costs, name);
@@ -53,6 +59,7 @@ Json model_json(const StudyReport& report, const std::string& name) {
           {"ns_per_call", spread_json(cost.ns)},
           {"ns_per_wavelength", cost.ns.median / kLanes},
           {"cost_relative", spread_json(cost.relative)},
+          {"cost_relative_net", net_cost(report, cost)},
           {"ns_single", spread_json(single.ns)},
           {"cost_relative_single", spread_json(single.relative)}};
 }

@@ -21,7 +21,7 @@ std::vector<double> parse_steps(const std::string& option, const std::string& te
                                 double max) {
   const auto fail = [&](const std::string& why) {
     throw InputError(
-        fmt::format("{}: found \"{}\": {}; FIRST:LAST:STEP is needed, both ends "
+        fmt::format("{}: found \"{}\": {}; allowed: FIRST:LAST:STEP, both ends "
                     "from {:g} to {:g}, such as {}",
                     option, text, why, min, max, max <= 90.0 ? "0:89:1" : "380:780:5"));
   };
@@ -35,7 +35,10 @@ std::vector<double> parse_steps(const std::string& option, const std::string& te
     at = rest + 1;
   }
   const auto [first, last, step] = numbers;
-  if (!(first >= min && last <= max && first <= last)) fail("the ends are not allowed");
+  if (first > last) fail("the first is above the last");
+  if (!(first >= min && last <= max)) {
+    fail(fmt::format("{:g} is outside", first >= min ? last : first));
+  }
   if (!(step > 0.0) || (last - first) / step >= kMostSteps) {
     fail(fmt::format("the step must be above 0 and give at most {} values", kMostSteps));
   }

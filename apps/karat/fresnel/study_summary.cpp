@@ -75,6 +75,9 @@ void say_choices(const StudyReport& report, Sentences& sentences) {
   sentences.push_back(
       choice("The cheapest whose reflectance is never wrong by more than 0.01",
              cheapest(report, [](const FresnelRank& r) { return r.max_abs_error <= 0.01; })));
+  sentences.push_back(
+      fmt::format("Costs within {} of each other count as equal here: then the nearer is named.",
+                  percent(kSameCost)));
   std::vector<std::string> efficient, beaten;
   for (const FresnelRank& rank : report.ranking) {
     (rank.efficient ? efficient : beaten).push_back(rank.model);
@@ -94,23 +97,36 @@ void say_choices(const StudyReport& report, Sentences& sentences) {
   }
 }
 
-// Pairs of models that give the same values everywhere.
+double largest_difference(const StudyReport& report, std::size_t i, std::size_t j) {
+  double largest = 0.0;
+  for (const auto& material : report.materials) {
+    const GridValues& a = material.models[i].curves.unpolarised;
+    const GridValues& b = material.models[j].curves.unpolarised;
+    for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, std::abs(a[v] - b[v]));
+  }
+  return largest;
+}
+
+// Models that give the same values at all that was studied, which does not make them one function.
 void say_same(const StudyReport& report, Sentences& sentences) {
   const auto& models = report.options.models;
+  std::vector<bool> named(models.size());
   for (std::size_t i = 0; i < models.size(); ++i) {
+    if (named[i]) continue;
+    std::vector<std::string> same{models[i]};
+    double largest = 0.0;
     for (std::size_t j = i + 1; j < models.size(); ++j) {
-      double largest = 0.0;
-      for (const auto& material : report.materials) {
-        const GridValues& a = material.models[i].curves.unpolarised;
-        const GridValues& b = material.models[j].curves.unpolarised;
-        for (std::size_t v = 0; v < a.size(); ++v)
-          largest = std::max(largest, std::abs(a[v] - b[v]));
-      }
-      if (largest > kSame) continue;
-      sentences.push_back(fmt::format(
-          "{} and {} are the same function: they differ by at most {:.0e}, which is rounding.",
-          models[i], models[j], largest));
+      const double difference = named[j] ? 1.0 : largest_difference(report, i, j);
+      if (difference > kSame) continue;
+      same.push_back(models[j]);
+      named[j] = true;
+      largest = std::max(largest, difference);
     }
+    if (same.size() < 2) continue;
+    sentences.push_back(
+        fmt::format("On these materials, wavelengths and angles {} cannot be told apart: they "
+                    "differ by {:.1g} at most.",
+                    listed(same), largest));
   }
 }
 
@@ -130,25 +146,32 @@ void say_2005(const StudyReport& report, Sentences& sentences) {
 
 // Models whose error is below what measurements of the same material differ by.
 void say_tables(const StudyReport& report, Sentences& sentences) {
-  double tables = 0.0;
-  std::size_t count = 0;
+  std::vector<double> differences;
   for (const auto& material : report.materials) {
-    for (const auto& other : material.other_tables) tables += other.colour_error.mean, ++count;
+    for (const auto& other : material.other_tables) {
+      differences.push_back(other.colour_error.mean);
+    }
   }
-  if (count == 0) return;
-  tables /= static_cast<double>(count);
+  if (differences.empty()) return;
+  const auto half = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), half, differences.end());
+  const double middle = *half;
   std::vector<std::string> below;
   std::size_t approximations = 0;
   for (const FresnelRank& rank : report.ranking) {
     if (rank.model == "exact") continue;
     ++approximations;
-    if (rank.delta_e_mean < tables) below.push_back(rank.model);
+    if (rank.delta_e_mean < middle) below.push_back(rank.model);
   }
-  sentences.push_back(
-      fmt::format("Other measurements of the same materials differ from the tables used here by "
-                  "{:.1f} on average ({} tables): more "
-                  "than {} of the {} approximations do from exact.",
-                  tables, count, below.size(), approximations));
+  std::string sentence = fmt::format(
+      "Other measurements of the same materials differ from the tables used here by CIEDE2000 "
+      "{:.1f} in the median ({} tables)",
+      middle, differences.size());
+  if (approximations > 0) {
+    sentence += fmt::format(": more than {} of the {} approximations do from exact on average",
+                            below.size(), approximations);
+  }
+  sentences.push_back(sentence + ".");
 }
 
 void say_render(const StudyReport& report, Sentences& sentences) {

@@ -21,10 +21,13 @@ function number(value) {
   return significant(value).replace("−", "-");
 }
 
+// Whether D3's fixed decimals would run out of room.
+const small = scale => d3.max(scale.domain(), Math.abs) < 1e-3;
+
 // A chart's frame: axes, grid, clip, zoom with the wheel and by dragging, back by a double click.
 class Frame {
   constructor(parent, options) {
-    this.options = Object.assign({ width: 640, height: 340, left: 58, right: 14, top: 8, bottom: 42 }, options);
+    this.options = Object.assign({ width: 640, height: 340, left: 72, right: 22, top: 8, bottom: 42 }, options);
     const o = this.options;
     this.root = d3.select(parent).append("div").attr("class", "chart");
     this.title = this.root.append("h3");
@@ -82,7 +85,7 @@ class Frame {
     this.x = this.transform.rescaleX(this.x0);
     this.y = this.transform.rescaleY(this.y0);
     const { w, h } = this.inner;
-    const ticks = (axis, scale, log, count) => log ? axis(scale).ticks(count, "~g") : axis(scale).ticks(count);
+    const ticks = (axis, scale, log, count) => log ? axis(scale).ticks(count, "~g") : axis(scale).ticks(count).tickFormat(small(scale) ? number : null);
     this.axisX.call(ticks(d3.axisBottom, this.x, this.options.logX, 8));
     this.axisY.call(ticks(d3.axisLeft, this.y, this.options.logY, 6));
     this.gridX.call(ticks(d3.axisBottom, this.x, this.options.logX, 8).tickSize(-h).tickFormat(""));
@@ -147,8 +150,7 @@ class PointChart extends Frame {
     this.spread(texts.enter().merge(texts));
   }
   place(d, text) {
-    const x = this.x(d.p[0]), right = x < this.inner.w * 0.72;
-    text.attr("x", right ? x + 9 : x - 9).attr("text-anchor", right ? "start" : "end").attr("y", this.y(d.p[1]) + 4);
+    text.attr("x", this.x(d.p[0]) + 9).attr("y", this.y(d.p[1]) + 4);
   }
   // Moves labels apart upwards and downwards where they would cover each other.
   spread() {

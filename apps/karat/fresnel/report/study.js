@@ -94,9 +94,10 @@ const nearestIndex = (values, wanted) => d3.scan(values, (a, b) => Math.abs(a - 
 const result = (m, name) => study.results[m * names.length + names.indexOf(name)];
 
 // --- Sections.
+const count = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
 function summary() {
-  d3.select("#about").text(`${names.length} models on ${study.materials.length} materials; ` +
-    `${study.grid.wavelengths_nm.length} wavelengths and ${study.grid.angles_deg.length} angles, unweighted; colours under ` +
+  d3.select("#about").text(`${count(names.length, "model")} on ${count(study.materials.length, "material")}; ` +
+    `${count(study.grid.wavelengths_nm.length, "wavelength")} and ${count(study.grid.angles_deg.length, "angle")}, unweighted; colours under ` +
     `${study.illuminant} (${study.observer}); costs on ${study.machine.processor}, ${study.machine.compiler}. ` +
     "Double click on a chart zooms in, Ctrl and the wheel zoom both ways, dragging moves, the legend switches models everywhere" + (hidden.length ? `; off at first, since far from exact: ${hidden.join(", ")}.` : "."));
   d3.select("#findings").selectAll("li").data(study.summary).enter().append("li").text(s => s);
@@ -108,7 +109,7 @@ function summary() {
     { title: "error<br>RMS", value: r => r.rms_error }, { title: "error<br>max", value: r => r.max_abs_error },
   ], study.ranking, r => r.efficient ? "efficient" : null);
   d3.select("#ranking").append("p").style("color", "var(--quiet)").style("font-size", "13px")
-    .text("All materials together. Bold: no other model is cheaper and as near in colour, or nearer and as cheap (costs within 5 % count as equal).");
+    .text(`All materials together. Bold: no other model is cheaper and as near in colour, or nearer and as cheap (costs within ${d3.format(".0%")(page.same.cost)} count as equal).`);
 }
 
 function reflectance() {
@@ -131,7 +132,7 @@ function reflectance() {
     const models = shownNames().map(name => [name, errorValues(m, name, state.pol)]).filter(([, e]) => e);
     const series = (along, absolute) => models.filter(([name]) => absolute ? name !== "exact" : true)
       .map(([name, e]) => Object.assign({ name, points: along(i => absolute ? exact[i] + e[i] : e[i]) }, styleOf(name)));
-    const reference = along => state.shown.has("exact")
+    const reference = along => state.shown.has("exact") || !names.includes("exact")
       ? [Object.assign({ name: "exact", points: along(i => exact[i]) }, styleOf("exact"))] : [];
     charts[0].set(series(alongAngle, true).concat(reference(alongAngle)));
     charts[1].set(series(alongNm, true).concat(reference(alongNm)));
@@ -262,16 +263,17 @@ function cost() {
     { title: "quartiles", text: true, value: d => `${number(d.ns_per_call.lower)} to ${number(d.ns_per_call.upper)}` },
     { title: "ns per<br>wavelength of these", value: d => d.ns_per_wavelength },
     { title: "relative", value: d => d.cost_relative.median, format: d3.format(".3f") },
+    { title: "without<br>the call", value: d => d.cost_relative_net, format: d3.format(".2f") },
     { title: "relative,<br>2005", value: d => published[d.model] || null }];
   if (study.models.some(d => d.ns_single)) {
-    cells.splice(6, 0, { title: "ns per single<br>wavelength", value: d => d.ns_single.median }, { title: "relative,<br>single", value: d => d.cost_relative_single.median, format: d3.format(".3f") });
+    cells.splice(7, 0, { title: "ns per single<br>wavelength", value: d => d.ns_single.median }, { title: "relative,<br>single", value: d => d.cost_relative_single.median, format: d3.format(".3f") });
   }
   table("#cost-table", cells, sorted);
 }
 
 function render() {
   const r = study.render;
-  if (!r) { d3.select("#render").append("p").text("This study was made without renders (--no-render)."); return; }
+  if (!r) { d3.select("#render").remove(); return; }
   d3.select("#render-text").text(`Copper, silver and aluminium rings, ${r.width} x ${r.height} pixels, ${r.spp} samples per pixel, the same random numbers for ` +
     `every model. Left the picture, right CIEDE2000 per pixel against exact, from 0 (dark) to ${number(r.delta_e_scale)} (bright). Two exact renders with different random ` +
     `numbers differ by ${number(r.noise_delta_e_mean)} on average: that is noise. Fresnel takes ${d3.format(".2%")(r.fresnel_share.median)} of the whole render's time ` +
@@ -300,9 +302,10 @@ const metrics = [["delta_e_mean", "Î”E00, mean over angles"], ["delta_e_max", "Î
   ["rms_error", "reflectance error, RMS"], ["max_abs_error", "reflectance error, largest"]];
 // Better in one, as good in the other; what is within the study's own repeatability is as good.
 function beats(a, b, metric) {
-  const { cost, error } = page.same;
-  return a.cost_relative <= b.cost_relative * (1 + cost) && a[metric] <= b[metric] * (1 + error) &&
-    (a.cost_relative < b.cost_relative * (1 - cost) || a[metric] < b[metric] * (1 - error));
+  const { cost, error, floor } = page.same;
+  const own = Math.max(a[metric], floor), other = Math.max(b[metric], floor);
+  return a.cost_relative <= b.cost_relative * (1 + cost) && own <= other * (1 + error) &&
+    (a.cost_relative < b.cost_relative * (1 - cost) || own < other * (1 - error));
 }
 function pareto() {
   choose("#pareto-controls", "error", metrics, state.metric, v => { state.metric = v; redraw(); });
@@ -324,7 +327,9 @@ function pareto() {
       .sort((a, b) => a.cost_relative - b.cost_relative);
     series.push({ name: "front", line: true, colour: "#5b6570", points: front.map(r => [r.cost_relative, Math.max(r[metric], tiny)]) });
     chart.yLabel.text(metrics.find(m => m[0] === metric)[1]);
-    chart.set(series);
+    // Room for the labels, which stand to the right of their marks.
+    const costs = ranks.map(r => r.cost_relative);
+    chart.set(series, ranks.length ? { x: [0.85 * d3.min(costs), 2 * d3.max(costs)] } : {});
   });
 }
 
@@ -372,9 +377,9 @@ function method() {
   table(sources.node(), [{ title: "table", text: true, value: m => m.table }, { title: "reference", text: true, value: m => m.reference }], study.materials);
 }
 
-d3.select("#contents").selectAll("a").data(Array.from(document.querySelectorAll("section"))).enter().append("a")
-  .attr("href", s => "#" + s.id).text(s => s.dataset.title);
 legend();
 [summary, reflectance, errors, colour, cost, render, pareto, tables, method].forEach(section => section());
+d3.select("#contents").selectAll("a").data(Array.from(document.querySelectorAll("section"))).enter().append("a")
+  .attr("href", s => "#" + s.id).text(s => s.dataset.title);
 redraw();
 document.body.dataset.ready = "yes";
