@@ -1,8 +1,12 @@
 #include "materials/fresnel_study/fresnel_fit.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "apps/karat/fresnel/study_options.h"
+#include "materials/fresnel_study/fresnel_fit_material.h"
+#include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
 #include "tests/reference_fresnel.h"
 
@@ -29,6 +33,27 @@ FresnelData synthetic(const FresnelModel& m, std::vector<ComplexIndex> indices,
       data.reflectances.push_back(m.evaluate_with(index, c, values));
   }
   return data;
+}
+
+// Twelve metals at three wavelengths, each by itself and all three together.
+std::vector<std::vector<ComplexIndex>> measured_metals() {
+  std::vector<std::vector<ComplexIndex>> all;
+  for (const std::string& name : usual_study_tables()) {
+    std::vector<ComplexIndex> together;
+    for (const double nm : {400.0, 500.0, 700.0}) {
+      together.push_back(find_index_table(name)->at(nm));
+      all.push_back({together.back()});
+    }
+    all.push_back(together);
+  }
+  return all;
+}
+
+// Values over a parameter's range, close to one another where metals have theirs.
+std::vector<double> spread_values(const FresnelParameter& info) {
+  if (info.min > 0.0) return {1.0, 1.7, 3.1, 5.0, 7.3, 15.0, 41.0, 100.0};
+  if (info.min < 0.0) return {info.min, -0.7, -0.05, 0.0, 0.02, 0.3, 1.2, info.max};
+  return {0.0, 0.3, 0.7, 0.89, 0.97, 0.995, 0.9999, info.max};
 }
 
 const ComplexIndex kGold{0.42, 2.40}, kAluminium{0.96, 6.69}, kIron{2.95, 2.93};
@@ -105,6 +130,83 @@ TEST_CASE("no point of a fine grid does better than a fit", "[fresnel_fit]") {
   }
 }
 
+// With f90 = 1 there is another minimum, at an exponent of 41, with an RMS error of 0.01818.
+TEST_CASE("aluminium's exponent is not the one of a local minimum", "[fresnel_fit]") {
+  const FresnelData data = exact_data({find_index_table("main/Al/Rakic")->at(500.0)}, cosines());
+  const FresnelFit fit = fit_fresnel(model("schlick-exponent"), data);
+  CHECK(fit.values[0] == 1.0);
+  CHECK(fit.values[1] == Approx(0.8897).margin(1e-4));
+  CHECK(fit.rms_error == Approx(0.0135).margin(1e-5));
+}
+
+TEST_CASE("one more fixed parameter never makes a fit better", "[fresnel_fit]") {
+  for (const std::string& name : Registry<FresnelModel>::instance().names()) {
+    const FresnelModel& m = model(name);
+    for (const auto& indices : measured_metals()) {
+      if (m.parameters().empty()) continue;
+      const FresnelData data = exact_data(indices, cosines());
+      const double best = fit_fresnel(m, data).rms_error;
+      for (const FresnelParameter& info : m.parameters()) {
+        if (info.whole_number) continue;
+        for (const double value : spread_values(info)) {
+          const FresnelFit fixed = fit_fresnel(m, data, {{info.name, value}});
+          CAPTURE(name, indices.size(), indices[0].n, indices[0].k, info.name, value);
+          CAPTURE(fixed.values);
+          REQUIRE(best <= fixed.rms_error * (1.0 + 1e-9) + 1e-12);
+        }
+      }
+    }
+  }
+}
+
+// Where the model is not linear the search alone counts: every value of a fine grid, the linear
+// parameter at each by the closed form of one column, limited to its range.
+TEST_CASE("no exponent of a fine grid does better than the fit", "[fresnel_fit]") {
+  for (const auto& indices : measured_metals()) {
+    const FresnelData data = exact_data(indices, cosines());
+    double least_schlick = 1e30, least_lazanyi = 1e30;
+    for (double p = 1.0; p <= 100.0; p *= 1.02) {
+      double with_f90[2] = {0.0, 0.0}, with_a[2] = {0.0, 0.0};  // products with the column
+      auto wanted = data.reflectances.begin();
+      for (const auto& [n, k] : indices) {
+        const double f0 = reference::fresnel(n, k, 1.0).unpolarised();
+        for (const double c : cosines()) {
+          const double power = std::pow(1.0 - c, p), rest = *wanted - f0 * (1.0 - power);
+          with_f90[0] += power * rest, with_f90[1] += power * power;
+          const double schlick = f0 + (1.0 - f0) * std::pow(1.0 - c, 5.0);
+          with_a[0] += c * power * (schlick - *wanted), with_a[1] += c * c * power * power;
+          ++wanted;
+        }
+      }
+      const double f90 = std::clamp(with_f90[0] / with_f90[1], 0.0, 1.0);
+      const double a = std::clamp(with_a[0] / with_a[1], -100.0, 100.0);
+      const auto left = [&](const char* name, std::vector<double> values) {
+        return fresnel_residual(model(name), data, std::move(values)).rms_error;
+      };
+      least_schlick = std::min(least_schlick, left("schlick-exponent", {p, f90}));
+      least_lazanyi = std::min(least_lazanyi, left("lazanyi-compensated", {a, p}));
+    }
+    CAPTURE(indices.size(), indices[0].n, indices[0].k);
+    CHECK(fit_fresnel(model("schlick-exponent"), data).rms_error <= least_schlick + 1e-12);
+    CHECK(fit_fresnel(model("lazanyi-compensated"), data).rms_error <= least_lazanyi + 1e-12);
+  }
+}
+
+TEST_CASE("no edge tint of a fine grid does better for a metal than the fit", "[fresnel_fit]") {
+  for (const auto& indices : measured_metals()) {
+    const FresnelData data = exact_data(indices, cosines());
+    const double best = fit_fresnel(model("gulbrandsen"), data).rms_error;
+    CAPTURE(indices.size(), indices[0].n, indices[0].k);
+    for (double x = 0.0; x <= 20.0; x += 0.05) {
+      const double below =
+          fresnel_residual(model("gulbrandsen"), data, {1.0 - std::exp(-x)}).rms_error;
+      const double above =
+          fresnel_residual(model("gulbrandsen"), data, {1.0 + std::exp(-x)}).rms_error;
+      REQUIRE(best <= std::min(below, above) + 1e-12);
+    }
+  }
+}
+
 TEST_CASE("a fit never does worse than what the model chooses", "[fresnel_fit]") {
   for (const std::string& name : Registry<FresnelModel>::instance().names()) {
     const FresnelModel& m = model(name);
@@ -175,6 +277,10 @@ TEST_CASE("a fit refuses unknown and impossible fixed values", "[fresnel_fit]") 
   const FresnelData data = exact_data({kGold}, cosines());
   CHECK_THROWS_AS(fit_fresnel(model("schlick-exponent"), data, {{"exponnt", 5.0}}), InputError);
   CHECK_THROWS_AS(fit_fresnel(model("schlick-exponent"), data, {{"f90", 1.5}}), InputError);
+  CHECK_THROWS_AS(fit_fresnel(model("table"), data, {{"angles", 7.5}}), InputError);
+  CHECK_THROWS_AS(fit_fresnel(model("table"), data, {{"angles", 1.0}}), InputError);
+  CHECK(fit_fresnel(model("table"), data, {{"angles", 7.0}}).values == std::vector<double>{7.0});
+  CHECK(fit_fresnel(model("table"), data).values == std::vector<double>{16.0});
   const FresnelFit fixed =
       fit_fresnel(model("schlick-exponent"), data, {{"f90", 1.0}, {"exponent", 5.0}});
   CHECK(fixed.values == std::vector<double>{5.0, 1.0});

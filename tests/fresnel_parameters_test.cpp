@@ -8,12 +8,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "apps/karat/run_karat.h"
 #include "materials/fresnel_choice.h"
+#include "tests/run_cli.h"
 #include "tests/scene_text.h"
 
 using namespace karat;
 using Catch::Matchers::Contains;
+using test::karat_run;
+using test::Outcome;
 
 namespace {
 
@@ -25,30 +27,6 @@ struct Workplace {
   ~Workplace() { fs::remove_all(path); }
   std::string file(const std::string& name) const { return (path / name).string(); }
 };
-
-struct Outcome {
-  int code;
-  std::string out;
-};
-
-// What karat prints to standard output.
-Outcome karat_run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "karat");
-  std::vector<const char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  std::fflush(nullptr);
-  std::FILE* file = std::tmpfile();
-  const int saved = dup(STDOUT_FILENO);
-  dup2(fileno(file), STDOUT_FILENO);
-  const int code = run_karat(static_cast<int>(argv.size()), argv.data());
-  std::fflush(nullptr);
-  dup2(saved, STDOUT_FILENO);
-  close(saved);
-  std::string text(static_cast<std::size_t>(lseek(fileno(file), 0, SEEK_END)), ' ');
-  const bool whole = pread(fileno(file), text.data(), text.size(), 0) >= 0;
-  std::fclose(file);
-  return {code, whole ? text : ""};
-}
 
 nlohmann::json scene_with(const nlohmann::json& fresnel) {
   nlohmann::json scene = small_scene();
@@ -156,6 +134,89 @@ TEST_CASE("karat fresnel fit writes what it finds into a scene that renders", "[
   REQUIRE(printed["fits"].size() == 1);
   CHECK(printed["fits"][0]["values"].contains("alpha"));
   CHECK(printed["max_abs_error"] >= printed["rms_error"]);
+}
+
+TEST_CASE("a scene that a fit does not suit is refused before the fit is printed", "[fresnel]") {
+  const Workplace work;
+  nlohmann::json scene = scene_with("exact");
+  auto& materials = scene["materials"];
+  materials["copper"] = {{"type", "conductor"}, {"nk", "main/Cu/Johnson"}};
+  materials["wet"] = {{"type", "conductor"}, {"nk", "main/Ag/Johnson"}, {"exterior", 1.33}};
+  materials["mix"] = {{"type", "conductor"}, {"nk", {{"eta", 0.2}, {"k", 3.0}}}};
+  std::ofstream(work.file("in.json")) << scene.dump();
+  const std::string out = work.file("out.json");
+  const auto fit = [&](const std::string& page, std::vector<std::string> more) {
+    std::vector<std::string> all{
+        "fresnel", "fit", page, "--model", "hoffman-f82", "--scene", work.file("in.json"),
+        "-o",      out};
+    all.insert(all.end(), more.begin(), more.end());
+    return karat_run(all);
+  };
+  const auto refused = [&](const std::string& page, const std::vector<std::string>& more,
+                           const auto& message) {
+    const Outcome outcome = fit(page, more);
+    CHECK(outcome.code == 3);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, message);
+    CHECK_FALSE(fs::exists(out));
+  };
+  refused("main/Au/Johnson", {"--nm", "400:700:10"},
+          Contains("400 to 700 nm") && Contains("380 to 780 nm") && Contains("--nm"));
+  refused("main/Au/Johnson", {"--nm", "550"}, Contains("550 nm") && Contains("--over-range"));
+  refused("main/Ag/Johnson", {"--material", "copper"},
+          Contains("main/Cu/Johnson") && Contains("main/Ag/Johnson"));
+  refused("main/Ag/Johnson", {}, Contains("n = 1.33") && Contains("--n-exterior 1"));
+  refused("main/Au/Johnson", {"--n-exterior", "1.5"}, Contains("n = 1") && Contains("1.5"));
+  refused("main/Al/Rakic", {}, Contains("no conductor") && Contains("copper"));
+  refused("main/Au/Johnson", {"--material", "cly"}, Contains("did you mean \"clay\""));
+
+  CHECK(fit("Au/Johnson", {}).code == 0);  // the scene says main/Au/Johnson
+  CHECK(load_scene(out).warnings.empty());
+  CHECK(fit("Ag/Johnson", {"--n-exterior", "1.33"}).code == 0);
+  CHECK(fit("Au/Johnson", {"--nm", "550", "--over-range"}).code == 0);
+  load_scene(out);
+  const Outcome mixed = fit("Ag/Johnson", {"--material", "mix"});
+  CHECK(mixed.code == 0);
+  CHECK_THAT(mixed.err, Contains("warning") && Contains("\"mix\"") && Contains("main/Ag/Johnson"));
+}
+
+TEST_CASE("a fit says once and at once that its file cannot be written", "[fresnel]") {
+  const Workplace work;
+  std::ofstream(work.file("in.json")) << scene_with("exact").dump();
+  const Outcome outcome = karat_run({"fresnel", "fit", "main/Au/Johnson", "--model", "hoffman-f82",
+                                     "--scene", work.file("in.json"), "-o", "/proc/x.json"});
+  CHECK(outcome.code == 1);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("cannot write") == outcome.err.rfind("cannot write"));
+  CHECK_THAT(outcome.err, Contains("no permission"));
+}
+
+TEST_CASE("names given twice and steps that miss the last wavelength are refused", "[fresnel]") {
+  const Workplace work;
+  std::ofstream(work.file("angles.csv")) << "n,k,theta_deg\n0.4,2.4,60\n";
+  const Outcome fitted =
+      karat_run({"fresnel", "fit", "main/Au/Johnson", "--model", "schlick-exponent", "--nm", "550",
+                 "--fix", "f90=1", "--fix", "f90=0.9"});
+  CHECK(fitted.code == 3);
+  CHECK_THAT(fitted.err, Contains("f90") && Contains("twice"));
+  const Outcome evaluated =
+      karat_run({"fresnel", "eval", "--model", "schlick-exponent", "--set", "f90=1", "--set",
+                 "exponent=5", "--set", "f90=0.5", work.file("angles.csv")});
+  CHECK(evaluated.code == 3);
+  CHECK_THAT(evaluated.err, Contains("f90") && Contains("twice"));
+
+  const auto fit = [](const std::string& nm, const std::string& name = "schlick-exponent") {
+    return karat_run({"fresnel", "fit", "main/Au/Johnson", "--model", name, "--nm", nm, "--json"});
+  };
+  for (const char* nm : {"380:780:500", "450,", ",450", "450,red", "0", "nan", "550:450:10", ""}) {
+    CAPTURE(nm);
+    CHECK(fit(nm).code == 2);
+  }
+  CHECK_THAT(fit("380:780:500").err, Contains("do not meet the last"));
+  CHECK(nlohmann::json::parse(fit("650,450,550").out)["wavelengths_nm"] ==
+        nlohmann::json({450.0, 550.0, 650.0}));
+  CHECK(fit("550", "table").code == 2);
+  CHECK_THAT(fit("550", "table").err, Contains("no parameters to fit") && Contains("gulbrandsen"));
 }
 
 TEST_CASE("fresnel eval takes metals without loss, which reflect all, and refuses what overflows",

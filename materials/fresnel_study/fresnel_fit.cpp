@@ -1,108 +1,52 @@
 #include "materials/fresnel_study/fresnel_fit.h"
 
 #include <ceres/tiny_solver.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "materials/fresnel_exact.h"
+#include "materials/fresnel_study/fresnel_fit_problem.h"
 #include "spectral/support/error.h"
 
 namespace karat {
 namespace {
 
-using Values = std::vector<double>;
+using Values = FitProblem::Values;
 
-// The free parameters as unbounded variables x, value = min + (max - min)(1 + sin x)/2, which keeps
-// every value in its range and reaches both ends (James and Roos 1975, MINUIT).
-class FreeParameters {
- public:
-  FreeParameters(std::vector<FresnelParameter> infos, Values start,
-                 const std::map<std::string, double>& fixed)
-      : infos_(std::move(infos)), start_(std::move(start)) {
-    for (std::size_t i = 0; i < infos_.size(); ++i) {
-      if (!infos_[i].whole_number && fixed.count(infos_[i].name) == 0) free_.push_back(i);
-    }
-  }
+struct Candidate {
+  double squares;
+  Values values;
 
-  std::size_t count() const { return free_.size(); }
-
-  Values values(const double* x) const {
-    Values values = start_;
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      const FresnelParameter& info = infos_[free_[i]];
-      const double middle = 0.5 * (info.min + info.max), half = 0.5 * (info.max - info.min);
-      values[free_[i]] = std::clamp(middle + half * std::sin(x[i]), info.min, info.max);
-    }
-    return values;
-  }
-
-  // Not quite at the ends, where the sine has no slope.
-  Eigen::VectorXd variables(const Values& values) const {
-    constexpr double kNearEnd = 1.0 - 1e-7;
-    Eigen::VectorXd x(static_cast<Eigen::Index>(free_.size()));
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      const FresnelParameter& info = infos_[free_[i]];
-      const double at = 2.0 * (values[free_[i]] - info.min) / (info.max - info.min) - 1.0;
-      x[static_cast<Eigen::Index>(i)] = std::asin(std::clamp(at, -kNearEnd, kNearEnd));
-    }
-    return x;
-  }
-
-  // Starting points: every combination of a few values of each, in equal ratios where the range is
-  // positive, in equal steps elsewhere.
-  std::vector<Values> grid() const {
-    const int steps = count() == 1 ? 40 : 12;
-    std::vector<Values> points{start_};
-    for (const std::size_t p : free_) {
-      std::vector<Values> finer;
-      for (const Values& point : points) {
-        for (int i = 0; i <= steps; ++i) {
-          finer.push_back(point);
-          finer.back()[p] = on_scale(infos_[p], static_cast<double>(i) / steps);
-        }
-      }
-      points = std::move(finer);
-    }
-    return points;
-  }
-
- private:
-  static double on_scale(const FresnelParameter& info, double t) {
-    if (info.min > 0.0) return info.min * std::pow(info.max / info.min, t);
-    return info.min + (info.max - info.min) * t;
-  }
-
-  std::vector<FresnelParameter> infos_;
-  Values start_;
-  std::vector<std::size_t> free_;
+  bool operator<(const Candidate& other) const { return squares < other.squares; }
 };
 
-// Residuals, and their derivatives by central differences, as TinySolver wants them.
+// Differences as a function of some curved parameters, the linear ones solved for, as TinySolver
+// wants them. The variables x are unbounded, place = (1 + sin x)/2, which keeps every value in its
+// range (James and Roos 1975, MINUIT); at the ends of the range the sine has no slope, so that they
+// are searched by themselves.
 class Residuals {
  public:
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
-  Residuals(const FresnelModel& model, const FresnelData& data, const FreeParameters& free)
-      : model_(model), data_(data), free_(free) {}
+  Residuals(const FitProblem& problem, const Values& base, const std::vector<std::size_t>& searched)
+      : problem_(problem), base_(base), searched_(searched) {}
 
-  int NumResiduals() const { return static_cast<int>(data_.reflectances.size()); }
-  int NumParameters() const { return static_cast<int>(free_.count()); }
+  int NumResiduals() const { return static_cast<int>(problem_.count()); }
+  int NumParameters() const { return static_cast<int>(searched_.size()); }
 
   bool operator()(const double* x, double* residuals, double* jacobian) const {
-    evaluate(free_.values(x), residuals);
+    problem_.residuals(values(x), residuals);
     if (!jacobian) return true;
     constexpr double kStep = 1e-6;
-    const std::size_t rows = data_.reflectances.size();
-    std::vector<double> above(rows), below(rows), moved(x, x + free_.count());
-    for (std::size_t p = 0; p < free_.count(); ++p) {
+    const std::size_t rows = problem_.count();
+    std::vector<double> above(rows), below(rows), moved(x, x + searched_.size());
+    for (std::size_t p = 0; p < searched_.size(); ++p) {
       moved[p] = x[p] + kStep;
-      evaluate(free_.values(moved.data()), above.data());
+      problem_.residuals(values(moved.data()), above.data());
       moved[p] = x[p] - kStep;
-      evaluate(free_.values(moved.data()), below.data());
+      problem_.residuals(values(moved.data()), below.data());
       moved[p] = x[p];
       for (std::size_t r = 0; r < rows; ++r) {
         jacobian[p * rows + r] = (above[r] - below[r]) / (2.0 * kStep);
@@ -111,45 +55,131 @@ class Residuals {
     return true;
   }
 
-  void evaluate(const Values& values, double* residuals) const {
-    for (const ComplexIndex& index : data_.indices) {
-      for (const double c : data_.cosines) *residuals++ = model_.evaluate_with(index, c, values);
+  Values values(const double* x) const {
+    Values values = base_;
+    for (std::size_t i = 0; i < searched_.size(); ++i) {
+      values[searched_[i]] = problem_.value_at(searched_[i], 0.5 + 0.5 * std::sin(x[i]));
     }
-    residuals -= data_.reflectances.size();
-    for (const double wanted : data_.reflectances) *residuals++ -= wanted;
+    problem_.solve_linear(values);
+    return values;
   }
 
-  double squares(const Values& values) const {
-    std::vector<double> residuals(data_.reflectances.size());
-    evaluate(values, residuals.data());
-    double sum = 0.0;
-    for (const double r : residuals) sum += r * r;
-    return sum;
+  Eigen::VectorXd variables(const Values& values, double from_ends) const {
+    Eigen::VectorXd x(static_cast<Eigen::Index>(searched_.size()));
+    for (std::size_t i = 0; i < searched_.size(); ++i) {
+      const double place = problem_.place_of(searched_[i], values[searched_[i]]);
+      x[static_cast<Eigen::Index>(i)] =
+          std::asin(2.0 * std::clamp(place, from_ends, 1.0 - from_ends) - 1.0);
+    }
+    return x;
   }
 
  private:
-  const FresnelModel& model_;
-  const FresnelData& data_;
-  const FreeParameters& free_;
+  const FitProblem& problem_;
+  const Values& base_;
+  const std::vector<std::size_t>& searched_;
 };
 
-Values solved(const Residuals& residuals, const FreeParameters& free, const Values& start) {
-  ceres::TinySolver<Residuals> solver;
-  solver.options.max_num_iterations = 200;
-  solver.options.gradient_tolerance = 1e-15;
-  solver.options.parameter_tolerance = 1e-12;
-  solver.options.function_tolerance = 1e-22;
-  solver.options.cost_threshold = 1e-30;
-  Eigen::VectorXd x = free.variables(start);
-  solver.Solve(residuals, &x);
-  return free.values(x.data());
-}
+// The least sum of squares over some curved parameters, `base` giving the values of the others.
+class Search {
+ public:
+  Search(const FitProblem& problem, Values base, std::vector<std::size_t> searched)
+      : problem_(problem), base_(std::move(base)), searched_(std::move(searched)) {
+    // At most about 700 points.
+    const double even =
+        std::pow(700.0, 1.0 / static_cast<double>(std::max<std::size_t>(1, searched_.size())));
+    steps_ = std::clamp<std::size_t>(static_cast<std::size_t>(even), 2, 64);
+  }
 
-// What the model would choose for the material in the middle of the data, with the fixed values.
-Values start_values(const FresnelModel& model, const FresnelData& data,
+  // From the lowest local minima of the grid and from the other starts, and at the ends of every
+  // range, which are searches with one parameter less.
+  Candidate best(const std::vector<Values>& other_starts = {}) const {
+    if (searched_.empty()) return with_linear(base_);
+    std::vector<Candidate> starts;
+    for (const Values& values : other_starts) starts.push_back(with_linear(values));
+    keep_lowest(starts, 3);
+    for (Candidate& minimum : local_minima()) starts.push_back(std::move(minimum));
+    Candidate best = *std::min_element(starts.begin(), starts.end());
+    for (const Candidate& start : starts) best = std::min(best, solved(start));
+    for (std::size_t i = 0; i < searched_.size(); ++i) {
+      for (const double end : {0.0, 1.0}) best = std::min(best, with_held(i, end).best());
+    }
+    return best;
+  }
+
+ private:
+  static void keep_lowest(std::vector<Candidate>& candidates, std::size_t most) {
+    std::sort(candidates.begin(), candidates.end());
+    if (candidates.size() > most) candidates.resize(most);
+  }
+
+  Candidate with_linear(Values values) const {
+    problem_.solve_linear(values);
+    return {problem_.squares(values), values};
+  }
+
+  Search with_held(std::size_t i, double place) const {
+    Values base = base_;
+    base[searched_[i]] = problem_.value_at(searched_[i], place);
+    std::vector<std::size_t> rest = searched_;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    return {problem_, std::move(base), std::move(rest)};
+  }
+
+  // Points of an even grid over all searched parameters that no neighbour along an axis is below.
+  std::vector<Candidate> local_minima() const {
+    const std::size_t side = steps_ + 1;
+    std::vector<Candidate> grid, minima;
+    std::size_t total = 1;
+    for (std::size_t i = 0; i < searched_.size(); ++i) total *= side;
+    for (std::size_t point = 0; point < total; ++point) {
+      Values values = base_;
+      for (std::size_t i = 0, digits = point; i < searched_.size(); ++i, digits /= side) {
+        const double place = static_cast<double>(digits % side) / static_cast<double>(steps_);
+        values[searched_[i]] = problem_.value_at(searched_[i], place);
+      }
+      grid.push_back(with_linear(std::move(values)));
+    }
+    for (std::size_t point = 0; point < total; ++point) {
+      bool lowest = true;
+      for (std::size_t stride = 1; stride < total; stride *= side) {
+        const std::size_t digit = point / stride % side;
+        lowest &= digit == 0 || !(grid[point - stride] < grid[point]);
+        lowest &= digit == steps_ || !(grid[point + stride] < grid[point]);
+      }
+      if (lowest) minima.push_back(grid[point]);
+    }
+    constexpr std::size_t kMostMinima = 8;
+    keep_lowest(minima, kMostMinima);
+    return minima;
+  }
+
+  Candidate solved(const Candidate& start) const {
+    const Residuals residuals(problem_, base_, searched_);
+    ceres::TinySolver<Residuals> solver;
+    solver.options.max_num_iterations = 100;
+    solver.options.gradient_tolerance = 1e-15;
+    solver.options.parameter_tolerance = 1e-12;
+    solver.options.function_tolerance = 1e-22;
+    solver.options.cost_threshold = 1e-30;
+    Eigen::VectorXd x =
+        residuals.variables(start.values, std::min(1e-3, 0.25 / static_cast<double>(steps_)));
+    solver.Solve(residuals, &x);
+    Values values = residuals.values(x.data());
+    return {problem_.squares(values), values};
+  }
+
+  const FitProblem& problem_;
+  Values base_;
+  std::vector<std::size_t> searched_;
+  std::size_t steps_;
+};
+
+// What the model would choose for a material of this index, with the fixed values.
+Values start_values(const FresnelModel& model, ComplexIndex index,
                     const std::vector<FresnelParameter>& infos,
                     const std::map<std::string, double>& fixed) {
-  Values values = model.chosen(data.indices[data.indices.size() / 2]);
+  Values values = model.chosen(index);
   std::vector<std::string> known;
   for (const FresnelParameter& info : infos) known.push_back(info.name);
   for (const auto& [name, value] : fixed) {
@@ -193,28 +223,27 @@ FresnelFit fresnel_residual(const FresnelModel& model, const FresnelData& data,
 FresnelFit fit_fresnel(const FresnelModel& model, const FresnelData& data,
                        const std::map<std::string, double>& fixed) {
   const std::vector<FresnelParameter> infos = model.parameters();
-  Values start = start_values(model, data, infos, fixed);
-  const FreeParameters free(infos, start, fixed);
-  if (free.count() == 0) return fresnel_residual(model, data, start);
-  const Residuals residuals(model, data, free);
-
-  std::vector<std::pair<double, Values>> starts;
-  for (Values& point : free.grid()) {
-    const double squares = residuals.squares(point);
-    starts.emplace_back(squares, std::move(point));
+  const auto start_for = [&](std::size_t i) {
+    return start_values(model, data.indices[i], infos, fixed);
+  };
+  const Values start = start_for(data.indices.size() / 2);
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (!infos[i].whole_number && fixed.count(infos[i].name) == 0) free.push_back(i);
   }
-  constexpr std::size_t kTried = 2;
-  std::partial_sort(starts.begin(), starts.begin() + kTried, starts.end());
-  starts.resize(kTried);
-  starts.emplace_back(residuals.squares(start), start);
+  if (free.empty()) return fresnel_residual(model, data, start);
 
-  std::pair<double, Values> best = *std::min_element(starts.begin(), starts.end());
-  for (const auto& [squares, point] : starts) {
-    Values values = solved(residuals, free, point);
-    const double left = residuals.squares(values);
-    if (left < best.first) best = {left, std::move(values)};
+  const FitProblem problem(model, data, std::move(free), start);
+  std::vector<Values> starts;
+  for (std::size_t i = 0; i < data.indices.size(); i += 1 + data.indices.size() / 32) {
+    starts.push_back(start_for(i));
+    for (std::size_t p = 0; p < infos.size(); ++p) {
+      if (infos[p].whole_number) starts.back()[p] = start[p];
+    }
   }
-  return fresnel_residual(model, data, std::move(best.second));
+  const Candidate found = Search(problem, start, problem.curved()).best(starts);
+  return fresnel_residual(model, data,
+                          problem.squares(start) <= found.squares ? start : found.values);
 }
 
 }  // namespace karat

@@ -29,11 +29,12 @@ FresnelFit fresnel_residual(const FresnelModel& model, const FresnelData& data,
                             std::vector<double> values);
 
 // One set of values for all indices, each within its parameter's range, with the least sum of
-// squared differences. Parameters named in `fixed` keep the value given there. Levenberg and
-// Marquardt's method (Ceres' small solver) from what the model would choose and from the best of a
-// grid of starting points. Throws InputError for an unknown name or a value out of range. Whole
-// numbers keep what the model chooses unless they are fixed. Where nothing is left to fit, the
-// result is the residual.
+// squared differences. Parameters named in `fixed` keep the value given there. Those in which the
+// model is linear are solved for; the others are found by Levenberg and Marquardt's method (Ceres'
+// small solver) from the local minima of a grid and from what the model would choose, and at the
+// ends of their ranges. Throws InputError for an unknown name or a value out of range. Whole
+// numbers keep what the model chooses for the index in the middle unless they are fixed. Where
+// nothing is left to fit, the result is the residual.
 FresnelFit fit_fresnel(const FresnelModel& model, const FresnelData& data,
                        const std::map<std::string, double>& fixed = {});
 

@@ -39,13 +39,17 @@ std::vector<ComplexIndex> relative_indices(const IndexTable& table,
 
 }  // namespace
 
+bool fits_per_wavelength(const FresnelModel& model, const MaterialFitOptions& options) {
+  const std::vector<FresnelParameter> infos = model.parameters();
+  return !options.over_range &&
+         std::none_of(infos.begin(), infos.end(), [](const auto& i) { return i.per_material; });
+}
+
 FresnelFits fit_material(const FresnelModel& model, const IndexTable& table,
                          std::vector<double> wavelengths_nm, const MaterialFitOptions& options) {
-  FresnelFits result{model.parameters(), std::move(wavelengths_nm), !options.over_range, {}};
+  FresnelFits result{
+      model.parameters(), std::move(wavelengths_nm), fits_per_wavelength(model, options), {}};
   const auto indices = relative_indices(table, result.wavelengths_nm, options.n_exterior);
-  for (const FresnelParameter& info : result.parameters) {
-    result.per_wavelength &= !info.per_material;
-  }
   const auto add = [&](std::vector<ComplexIndex> chosen) {
     result.fits.push_back(
         fit_fresnel(model, exact_data(std::move(chosen), cosines_of_degrees()), options.fixed));

@@ -4,16 +4,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "apps/karat/command.h"
 #include "apps/karat/fresnel/fit_scene.h"
 #include "apps/karat/fresnel/named_values.h"
+#include "apps/karat/fresnel/study_options.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/number_check.h"
 #include "materials/fresnel_study/fresnel_fit_material.h"
 #include "materials/index/index_catalogue.h"
+#include "render/replace_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -22,7 +24,7 @@ namespace {
 using Models = Registry<FresnelModel>;
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostWavelengths = 10000;
+constexpr double kLeastNm = 1.0, kLargestNm = 1e6;
 
 struct Options {
   std::string page, model, wavelengths = "380:780:5";
@@ -32,37 +34,36 @@ struct Options {
   std::string scene, material, output;
 };
 
-std::vector<double> numbers_of(const std::string& text, char separator) {
-  std::vector<double> numbers;
+// "380:780:5", or "450,550,650" in increasing order and once each. Throws InputError.
+std::vector<double> wavelengths_of(const std::string& text) {
+  if (text.find(':') != std::string::npos) return parse_steps("--nm", text, kLeastNm, kLargestNm);
+  std::vector<double> list;
   const char *at = text.data(), *end = at + text.size();
-  while (true) {
-    double number = 0.0;
-    const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || !(number > 0.0 && number <= 1e9)) return {};
-    numbers.push_back(number);
-    if (next == end) return numbers;
-    if (*next != separator) return {};
-    at = next + 1;
+  for (bool more = true; more; ++at) {
+    double nm = 0.0;
+    const auto [next, error] = std::from_chars(at, end, nm);
+    more = next != end;
+    if (error != std::errc() || !(nm >= kLeastNm && nm <= kLargestNm) || (more && *next != ',')) {
+      throw InputError(fmt::format(
+          "--nm: found \"{}\", allowed: FIRST:LAST:STEP or a list as 450,550, from {:g} to {:g} nm",
+          text, kLeastNm, kLargestNm));
+    }
+    list.push_back(nm);
+    at = next;
   }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
 }
 
-// "380:780:5", or "450,550,650" in increasing order and once each; empty where the text is neither.
-std::vector<double> wavelengths_of(const std::string& text) {
-  if (text.find(':') == std::string::npos) {
-    std::vector<double> list = numbers_of(text, ',');
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
+// The same as wrong usage; the option's name is said by who reports it.
+std::string check_wavelengths(const std::string& text) {
+  try {
+    wavelengths_of(text);
+    return "";
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(std::string("--nm: ").size());
   }
-  const std::vector<double> parts = numbers_of(text, ':');
-  if (parts.size() != 3 || !(parts[0] <= parts[1])) return {};
-  const double steps = std::floor((parts[1] - parts[0]) / parts[2] + 1e-9);
-  if (!(steps < kMostWavelengths)) return {};
-  std::vector<double> wavelengths;
-  for (int i = 0; i <= static_cast<int>(steps); ++i) {
-    wavelengths.push_back(parts[0] + parts[2] * i);
-  }
-  return wavelengths;
 }
 
 OrderedJson fit_json(const FresnelFits& fits, std::size_t i) {
@@ -89,6 +90,7 @@ void print_as_json(const Options& options, const IndexTable& table, const Fresne
                          {"n_exterior", options.n_exterior},
                          {"model", options.model},
                          {"parameters", parameters},
+                         {"fixed", named_values(options.fixed)},
                          {"angles_deg", "0:89:1"},
                          {"wavelengths_nm", fits.wavelengths_nm},
                          {"per_wavelength", fits.per_wavelength},
@@ -103,39 +105,65 @@ void print_line(const std::string& first, const FresnelFit& fit) {
   fmt::print(" {:>11.3e} {:>11.3e}\n", fit.max_abs_error, fit.rms_error);
 }
 
+std::string span(const std::vector<double>& wavelengths_nm) {
+  const double first = wavelengths_nm.front(), last = wavelengths_nm.back();
+  return first == last ? fmt::format("{:g}", first) : fmt::format("{:g} to {:g}", first, last);
+}
+
 void print_table(const Options& options, const IndexTable& table, const FresnelFits& fits) {
-  fmt::print("{} of {} against the exact equations, 0 to 89 degrees in steps of 1\n", options.model,
-             table.provenance().name);
+  fmt::print("{} of {}{} against the exact equations, 0 to 89 degrees in steps of 1\n",
+             options.model, table.provenance().name,
+             options.n_exterior == 1.0 ? "" : fmt::format(" below n = {:g}", options.n_exterior));
+  const std::map<std::string, double> fixed = named_values(options.fixed);
   for (const FresnelParameter& info : fits.parameters) {
-    fmt::print("  {}: {} ({:g} to {:g})\n", info.name, info.description, info.min, info.max);
+    const auto it = fixed.find(info.name);
+    fmt::print("  {}: {} ({})\n", info.name, info.description,
+               it == fixed.end() ? fmt::format("{:g} to {:g}", info.min, info.max)
+                                 : fmt::format("fixed at {:g}", it->second));
   }
   fmt::print("\n{:>16}", "nm");
   for (const FresnelParameter& info : fits.parameters) fmt::print(" {:>12}", info.name);
   fmt::print(" {:>11} {:>11}\n", "max error", "RMS error");
-  if (!fits.per_wavelength) {
-    print_line(fmt::format("{:g} to {:g}", fits.wavelengths_nm.front(), fits.wavelengths_nm.back()),
-               fits.fits[0]);
-    return;
-  }
+  if (!fits.per_wavelength) return print_line(span(fits.wavelengths_nm), fits.fits[0]);
   for (std::size_t i = 0; i < fits.fits.size(); ++i) {
     print_line(fmt::format("{:g}", fits.wavelengths_nm[i]), fits.fits[i]);
   }
+  if (fits.fits.size() == 1) return;
   fmt::print("{:>16}{:{}} {:>11.3e} {:>11.3e}\n", "all", "", 13 * fits.parameters.size(),
              fits.max_abs_error, fits.rms_error);
+}
+
+const std::string& output_of(const Options& options) {
+  return options.output.empty() ? options.scene : options.output;
+}
+
+// What a scene is needed for is checked before the fit is made and printed.
+std::optional<FitScene> scene_for(const Options& options, const PlannedFit& plan) {
+  if (options.scene.empty()) return std::nullopt;
+  std::optional<FitScene> scene(std::in_place, options.scene, options.material, plan);
+  check_writable(output_of(options));
+  for (const std::string& warning : scene->warnings()) {
+    fmt::print(stderr, "karat: warning: {}\n", warning);
+  }
+  return scene;
 }
 
 int fit(const Options& options) {
   const FresnelModel& model = *Models::instance().find(options.model);
   const IndexTablePtr table = find_index_table(full_index_name(options.page));
-  const FresnelFits fits =
-      fit_material(model, *table, wavelengths_of(options.wavelengths),
-                   {options.n_exterior, options.over_range, named_values(options.fixed)});
+  const std::vector<double> wavelengths = wavelengths_of(options.wavelengths);
+  const MaterialFitOptions how{options.n_exterior, options.over_range, named_values(options.fixed)};
+  std::optional<FitScene> scene =
+      scene_for(options, {table, wavelengths, options.n_exterior, fits_per_wavelength(model, how),
+                          options.over_range});
+  const FresnelFits fits = fit_material(model, *table, wavelengths, how);
   options.as_json ? print_as_json(options, *table, fits) : print_table(options, *table, fits);
-  if (options.scene.empty()) return 0;
-  const std::string& path = options.output.empty() ? options.scene : options.output;
-  const auto names = write_fit_to_scene({options.scene, path, options.page, options.material},
-                                        options.model, fits);
-  fmt::print(stderr, "{}: {} in {}\n", path, options.model, fmt::join(names, ", "));
+  if (!scene) return 0;
+  scene->write(output_of(options), options.model, fits);
+  fmt::print(stderr, "{}: {} in {}: {} for {} nm\n", output_of(options), options.model,
+             fmt::join(scene->materials(), ", "),
+             fits.per_wavelength ? "values per wavelength" : "one set of values",
+             span(fits.wavelengths_nm));
   return 0;
 }
 
@@ -170,14 +198,7 @@ class FresnelFitCommand final : public Command {
         ->check(check_model);
     command->add_option("--nm", o->wavelengths, "Wavelengths: FIRST:LAST:STEP, or a list 450,550")
         ->capture_default_str()
-        ->check([](const std::string& text) {
-          return wavelengths_of(text).empty()
-                     ? fmt::format(
-                           "found \"{}\", allowed: FIRST:LAST:STEP or a list, in nm, at "
-                           "most {} of them",
-                           text, kMostWavelengths)
-                     : std::string();
-        });
+        ->check(check_wavelengths);
     command->add_flag("--over-range", o->over_range,
                       "One set of values for all wavelengths; some models have no other");
     command->add_option("--fix", o->fixed, "NAME=VALUE: a parameter that is not fitted")

@@ -1,7 +1,11 @@
 #include "apps/karat/fresnel/named_values.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
+
+#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -26,7 +30,12 @@ CLI::Validator named_value_check() {
 std::map<std::string, double> named_values(const std::vector<std::string>& options) {
   std::map<std::string, double> values;
   for (const std::string& text : options) {
-    values[text.substr(0, text.find('='))] = value_of(text).value();
+    const std::string name = text.substr(0, text.find('='));
+    const auto [it, is_new] = values.emplace(name, value_of(text).value());
+    if (!is_new) {
+      throw InputError("", name,
+                       fmt::format("is given twice: {:g}, then \"{}\"", it->second, text));
+    }
   }
   return values;
 }

@@ -11,7 +11,7 @@ namespace karat {
 // The check for such an option: a name, "=", and a finite number.
 CLI::Validator named_value_check();
 
-// Of checked options; the last value of a name counts.
+// Of checked options. Throws InputError for a name that is given twice.
 std::map<std::string, double> named_values(const std::vector<std::string>& options);
 
 }  // namespace karat
