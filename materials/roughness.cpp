@@ -47,12 +47,13 @@ std::vector<ParameterInfo> roughness_parameters() {
   distribution.description = "distribution of microfacet normals";
   distribution.default_json = "\"ggx\"";
   distribution.choices = Registry<MicrofacetDistribution>::instance().names();
-  const std::string smooth = " (dimensionless; below 0.001 the surface is smooth)";
   return {
       distribution,
-      width("alpha", "width of the distribution, no remapping; 0, the default, is smooth" + smooth),
-      width("alpha_x", "width along the tangent, with alpha_y" + smooth),
-      width("alpha_y", "width across the tangent, with alpha_x" + smooth),
+      width("alpha",
+            "width of the distribution, as it stands in its formula: 0, the default, is a mirror, "
+            "0.1 satin, 0.3 matt; below 0.001 the surface is smooth"),
+      width("alpha_x", "width along the tangent, instead of alpha and together with alpha_y"),
+      width("alpha_y", "width across the tangent, instead of alpha and together with alpha_x"),
       width("roughness", "perceptual roughness instead of alpha: alpha = roughness^2")};
 }
 

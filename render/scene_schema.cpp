@@ -164,16 +164,52 @@ Json definitions() {
           {"light", types<LightType>({{"transform", reference("transform")}})}};
 }
 
-Json film_schema() {
+// A setting of the scene as a whole, with what it is unless given.
+Json setting(const std::string& description, Json schema, const Json& unless_given = nullptr) {
+  schema["description"] = description;
+  if (!unless_given.is_null()) schema["default"] = unless_given;
+  return schema;
+}
+
+Json film_schema(const RenderSettings& defaults) {
   const Json crop = {
       {"type", "array"}, {"items", integer(0, kMaxFilmSide)}, {"minItems", 4}, {"maxItems", 4}};
-  return object(
-      {{"width", integer(1, kMaxFilmSide)},
-       {"height", integer(1, kMaxFilmSide)},
-       {"crop", described("[x0, y0, x1, y1]: pixels x0 to x1 - 1, y0 to y1 - 1.", crop)}});
+  return described(
+      "The image.",
+      object({{"width",
+               setting("Width of the image, in pixels.", integer(1, kMaxFilmSide), defaults.width)},
+              {"height", setting("Height of the image, in pixels.", integer(1, kMaxFilmSide),
+                                 defaults.height)},
+              {"crop", setting("[x0, y0, x1, y1]: render pixels x0 to x1 - 1, y0 to y1 - 1 only, "
+                               "counted from the upper left; the whole image unless given.",
+                               crop)}}));
+}
+
+Json sampling_schema(const RenderSettings& defaults) {
+  return described(
+      "How many light paths are followed, and by which random numbers.",
+      object(
+          {{"spp", setting("Samples per pixel: noise falls with their square root.",
+                           integer(1, kMaxSpp), defaults.spp)},
+           {"seed", setting("Another seed gives other noise; the same seed the same image.",
+                            integer(0, 4294967295.0), defaults.seed)},
+           {"sampler", setting("Scrambled Sobol points, or independent random numbers, which are "
+                               "noisier.",
+                               {{"enum", {"sobol", "independent"}}}, defaults.sampler)}}));
+}
+
+Json integrator_schema(const RenderSettings& defaults) {
+  return described(
+      "How light is followed.",
+      object({{"type",
+               setting("The path tracer, or the slow literal estimator that checks it.",
+                       {{"enum", Registry<Integrator>::instance().names()}}, defaults.integrator)},
+              {"max_depth", setting("Most scattering events along a path; 0 shows lamps only.",
+                                    integer(0, kMaxPathDepth), defaults.max_depth)}}));
 }
 
 Json properties() {
+  const RenderSettings defaults;
   return {
       {"$schema", {{"type", "string"}}},
       {"wavelengths",
@@ -189,12 +225,9 @@ Json properties() {
                                   "wavelength on n and k (default), or a monotone cubic.",
                                   {{"enum", interpolation_names()}})},
       {"camera", reference("camera")},
-      {"film", film_schema()},
-      {"sampling", object({{"spp", integer(1, kMaxSpp)},
-                           {"seed", integer(0, 4294967295.0)},
-                           {"sampler", {{"enum", {"sobol", "independent"}}}}})},
-      {"integrator", object({{"type", {{"enum", Registry<Integrator>::instance().names()}}},
-                             {"max_depth", integer(0, kMaxPathDepth)}})},
+      {"film", film_schema(defaults)},
+      {"sampling", sampling_schema(defaults)},
+      {"integrator", integrator_schema(defaults)},
       {"materials", named(reference("material"))},
       {"shapes", list(reference("shape"))},
       {"groups", named(list(reference("group_shape")))},
