@@ -53,16 +53,18 @@ Mesh moved(Mesh mesh, const Transform& transform) {
 
 Geometry moved(const SphereGeometry& sphere, const Transform& transform) {
   if (!is_similarity(transform)) return moved(tessellated(sphere), transform);
-  return SphereGeometry{transform.point(sphere.center), sphere.radius * length(transform.x)};
+  return SphereGeometry{transform.point(sphere.center), sphere.radius * length(transform.x),
+                        normalize(transform.vector(sphere.pole)),
+                        normalize(transform.vector(sphere.meridian))};
 }
 
 // A disk needs the similarity in its own plane only.
 Geometry moved(const DiskGeometry& disk, const Transform& transform) {
-  const Frame frame = Frame::around(disk.normal);
-  const Vec3 s = transform.vector(frame.s), t = transform.vector(frame.t);
+  const Vec3 s = transform.vector(disk.tangent);
+  const Vec3 t = transform.vector(cross(disk.normal, disk.tangent));
   if (!same_length_and_perpendicular(s, t)) return moved(tessellated(disk), transform);
   return DiskGeometry{transform.point(disk.center), normalize(transform.normal(disk.normal)),
-                      disk.radius * length(s)};
+                      disk.radius * length(s), normalize(s)};
 }
 
 // A mirrored rectangle runs along its first edge the other way, which keeps its outward side.
@@ -81,13 +83,15 @@ Mesh mesh_of(const SphereGeometry& sphere) {
     const double c = pole ? 0.0 : std::cos(angle), s = std::sin(angle);
     profile.push_back({sphere.radius * c, sphere.radius * s, c, s, v});
   }
-  return moved(revolved(profile, kFineSegments), Transform::translate(sphere.center));
+  const Vec3 east = cross(sphere.pole, sphere.meridian);
+  return moved(revolved(profile, kFineSegments),
+               {sphere.meridian, east, sphere.pole, sphere.center});
 }
 
 Mesh mesh_of(const DiskGeometry& disk) {
   const std::vector<ProfilePoint> profile{{disk.radius, 0, 0, 1, 0}, {0, 0, 0, 1, 1}};
-  const Frame frame = Frame::around(disk.normal);
-  return moved(revolved(profile, kFineSegments), {frame.s, frame.t, frame.n, disk.center});
+  return moved(revolved(profile, kFineSegments),
+               {disk.tangent, cross(disk.normal, disk.tangent), disk.normal, disk.center});
 }
 
 Mesh mesh_of(const RectangleGeometry& r) {

@@ -24,16 +24,20 @@ struct Mesh {
   int face_vertices = 3;               // 3 or 4
 };
 
+// `pole` and `meridian`, unit and perpendicular, say how it is turned: v runs from the pole, u around
+// it from the meridian.
 struct SphereGeometry {
   Vec3 center;
   float radius = 1.0f;
+  Vec3 pole{0, 0, 1}, meridian{1, 0, 0};
 };
 
-// A flat disk seen from both sides; `normal` is unit.
+// A flat disk seen from both sides; `normal` is unit, and so is `tangent`, in the disk's plane.
 struct DiskGeometry {
   Vec3 center;
   Vec3 normal{0, 0, 1};
   float radius = 1.0f;
+  Vec3 tangent{1, 0, 0};
 };
 
 // A parallelogram: origin + u * edge_u + v * edge_v for u, v in [0, 1]; normal along edge_u x

@@ -115,18 +115,19 @@ void parameterise(const Mesh& mesh, const EmbreeHit& hit, SurfaceHit& out) {
   }
 }
 
-void parameterise(const SphereGeometry&, const EmbreeHit&, SurfaceHit& out) {
-  const Vec3 n = out.geometric_normal;
-  out.tangent = {-n.y, n.x, 0.0f};
+void parameterise(const SphereGeometry& sphere, const EmbreeHit&, SurfaceHit& out) {
+  const Frame frame{sphere.meridian, cross(sphere.pole, sphere.meridian), sphere.pole};
+  const Vec3 n = frame.to_local(out.geometric_normal);
+  out.tangent = cross(sphere.pole, out.geometric_normal);
   const float azimuth = std::atan2(n.y, n.x);
   out.uv = {(azimuth < 0.0f ? azimuth + kTwoPi : azimuth) / kTwoPi,
             std::acos(std::clamp(n.z, -1.0f, 1.0f)) * kInvPi};
 }
 
 void parameterise(const DiskGeometry& disk, const EmbreeHit&, SurfaceHit& out) {
-  const Frame frame = Frame::around(disk.normal);
+  const Frame frame{disk.tangent, cross(disk.normal, disk.tangent), disk.normal};
   const Vec3 local = frame.to_local(out.position - disk.center);
-  out.tangent = frame.s;
+  out.tangent = disk.tangent;
   out.uv = {local.x / disk.radius, local.y / disk.radius};
 }
 

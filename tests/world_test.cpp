@@ -424,3 +424,24 @@ TEST_CASE("rays that leave a surface do not meet it again, at any scale and plac
     }
   }
 }
+
+// A brushed face turns with its shape: uv and tangent stay where they are on it.
+TEST_CASE("a transform turns the tangents of spheres and disks", "[world]") {
+  Random random(5);
+  for (const Geometry& geometry : {Geometry(SphereGeometry{{0, 0, 0}, 2.0f}),
+                                   Geometry(DiskGeometry{{0, 0, 0}, {0, 0, 1}, 2.0f})}) {
+    for (int i = 0; i < 50; ++i) {
+      const Transform turn = Transform::translate({3, -1, 2}) *
+                             Transform::rotate(random.direction(), random.uniform(0.1f, 6.0f));
+      const World at_rest = world_of(geometry), turned = world_of(transformed(geometry, turn));
+      const Vec3 origin{random.uniform(-1, 1), random.uniform(-1, 1), 9.0f};
+      SurfaceHit before, after;
+      REQUIRE(at_rest.intersect({origin, {0, 0, -1}}, before));
+      REQUIRE(turned.intersect({turn.point(origin), turn.vector({0, 0, -1})}, after));
+      CAPTURE(i, geometry.index());
+      CHECK(distance(normalize(after.tangent), normalize(turn.vector(before.tangent))) < 1e-4);
+      CHECK(after.uv.x == Approx(before.uv.x).margin(1e-4));
+      CHECK(after.uv.y == Approx(before.uv.y).margin(1e-4));
+    }
+  }
+}
