@@ -135,6 +135,7 @@ IndexTablePtr read_preset(const JsonValue& name, const ReadContext& context) {
   } catch (const InputError& error) {
     name.fail(error.what());
   }
+  remember_file(path, context);
   const Json preset = parse_json(read_text_file(path, kMostPresetBytes), path);
   const JsonValue document(preset, path);
   document.allow_keys({"description", "source", "nk"});

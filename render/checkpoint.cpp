@@ -92,6 +92,11 @@ void require_same_scene(const std::string& path, const Header& found, const Head
                fmt::format("{:016x}", needed.content_hash));
 }
 
+bool read_header(std::istream& stream, Header& header) {
+  return stream.read(reinterpret_cast<char*>(&header), sizeof header) &&
+         std::memcmp(header.magic, kMagic, sizeof kMagic) == 0;
+}
+
 }  // namespace
 
 void save_checkpoint(const std::string& path, const Scene& scene, const Film& film,
@@ -111,6 +116,13 @@ void save_checkpoint(const std::string& path, const Scene& scene, const Film& fi
   });
 }
 
+std::optional<int> checkpoint_samples(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  Header header{};
+  if (!read_header(stream, header)) return std::nullopt;
+  return header.samples;
+}
+
 int load_checkpoint(const std::string& path, const Scene& scene, Film& film) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
@@ -119,8 +131,7 @@ int load_checkpoint(const std::string& path, const Scene& scene, Film& film) {
   const auto file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   Header header{};
-  if (error || !stream.read(reinterpret_cast<char*>(&header), sizeof header) ||
-      std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) {
+  if (error || !read_header(stream, header)) {
     throw InputError(path, "", "not a checkpoint of this version of Karat");
   }
   require_same_scene(path, header, header_for(scene, film));

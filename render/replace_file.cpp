@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a name leads: a symbolic link is kept and the file behind it replaced or created.
 fs::path target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::error_code ignored;  // what is not there is no link
@@ -47,6 +46,8 @@ void require_replaceable(const std::string& path, const fs::path& target) {
 }
 
 }  // namespace
+
+std::string file_behind(const std::string& path) { return target_of(path).string(); }
 
 void check_writable(const std::string& path) {
   const fs::path target = target_of(path);

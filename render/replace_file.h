@@ -10,6 +10,10 @@ namespace karat {
 // missing or not writable, or `path` is itself a folder or a device. Creates nothing that stays.
 void check_writable(const std::string& path);
 
+// The absolute path that a name leads to: symbolic links are followed, also to what is not there
+// yet. replace_file() replaces or creates that file and keeps the links.
+std::string file_behind(const std::string& path);
+
 // Calls `write` with a temporary name beside `path`, then renames to `path`. When anything throws,
 // the temporary file is removed and what stood at `path` is untouched. Throws RuntimeError.
 void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);

@@ -37,6 +37,7 @@ struct RenderSettings {
 
 struct Scene {
   std::string file;
+  std::vector<std::string> files;  // everything that was read: scene, meshes, images, tables
   std::uint64_t content_hash = 0;  // of everything that decides the image: checkpoints carry it
   WavelengthLattice lattice;
   RenderSettings settings;

@@ -80,7 +80,7 @@ void SceneBuilder::read_camera(const JsonValue& document) {
 }
 
 void SceneBuilder::read_materials(const JsonValue& document) {
-  const MaterialContext context{scene_.lattice, fresnel_override_, context_.warnings};
+  std::map<std::string, std::vector<std::string>> places_of_warning;  // one line for all of them
   for (const auto& [name, value] : members(document, "materials")) {
     const auto& type = type_of<MaterialType>(value, "material");
     const auto infos = type.parameters();
@@ -90,8 +90,14 @@ void SceneBuilder::read_materials(const JsonValue& document) {
       fresnel_models_.insert(fresnel_override_.empty() ? parameters.fresnel(info.name).model
                                                        : fresnel_override_);
     }
+    std::vector<std::string> warnings;
+    const MaterialContext context{scene_.lattice, fresnel_override_, &warnings};
     scene_.materials.push_back(created(value, [&] { return type.create(parameters, context); }));
+    for (const auto& warning : warnings) places_of_warning[warning].push_back(value.place());
     materials_[name] = scene_.materials.back().get();
+  }
+  for (const auto& [warning, places] : places_of_warning) {
+    context_.warnings->push_back(fmt::format("{}: {}", fmt::join(places, ", "), warning));
   }
 }
 

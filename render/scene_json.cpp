@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "render/json_error.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -48,6 +49,9 @@ class NestingCheck {
     return true;
   }
 
+  // The bracket that waits for its end, or 0.
+  char open() const { return open_.empty() ? '\0' : open_.back().is_array ? '[' : '{'; }
+
  private:
   struct Level {
     bool is_array = false;
@@ -69,13 +73,28 @@ class NestingCheck {
   std::vector<Level> open_;
 };
 
-// nlohmann's messages begin with "[json.exception.parse_error.101] parse error at line 3, column 5:
-// ".
-std::string parse_message(const std::string& what) {
-  const auto at = what.find("at line ");
-  if (at != std::string::npos) return "malformed JSON " + what.substr(at);
+// Other than syntax errors, only numbers beyond the range of double: "[json.exception.out_of_range
+// .406] number overflow parsing '1e999'".
+std::string range_message(const std::string& what) {
   const auto end = what.find("] ");
-  return "malformed JSON: " + (end == std::string::npos ? what : what.substr(end + 2));
+  return end == std::string::npos ? what : what.substr(end + 2);
+}
+
+void require_text(const std::string& text, const std::string& name) {
+  const std::string format = foreign_format(text);
+  if (format.empty()) return;
+  throw InputError(name, "",
+                   format == "UTF-16 text" ? "the file is UTF-16; save it as UTF-8"
+                                           : format + ", not a JSON file");
+}
+
+// What is there already is not what was meant.
+std::string unknown_key_message(const Json& object, const std::string& key,
+                                const std::vector<std::string>& known) {
+  const std::string near = nearest_name(key, known);
+  if (near.empty() || !object.contains(near)) return unknown_name_message("key", key, known);
+  return fmt::format("unknown key \"{}\"; \"{}\" is there already. Known: {}.", key, near,
+                     fmt::join(known, ", "));
 }
 
 std::string short_number(double value) { return fmt::format("{:.10g}", value); }
@@ -105,12 +124,16 @@ Json parse_json(const std::string& text, const std::string& name) {
   if (text.size() > kMaxSceneBytes) {
     throw InputError(name, "", fmt::format("larger than the {} MiB allowed", kMaxSceneBytes >> 20));
   }
+  require_text(text, name);
   NestingCheck check(name);
   try {
     return Json::parse(
         text, [&](int, Json::parse_event_t event, Json& parsed) { return check(event, parsed); });
+  } catch (const Json::parse_error& error) {
+    const auto [place, message] = json_error(text, {error.byte, error.what(), check.open()});
+    throw InputError(name, place, message);
   } catch (const Json::exception& error) {
-    throw InputError(name, "", parse_message(error.what()));
+    throw InputError(name, "", range_message(error.what()));
   }
 }
 
@@ -122,7 +145,17 @@ std::string Allowed::text() const {
   return below ? "at most " + short_number(max) : "any finite number";
 }
 
-void JsonValue::fail(const std::string& message) const { throw InputError(file_, place_, message); }
+// The last change that made the value, or a part around it, is to blame; one inside it may be.
+void JsonValue::fail(const std::string& message) const {
+  std::string inside;
+  for (std::size_t i = changes_ ? changes_->size() : 0; i-- > 0;) {
+    const auto& [place, origin] = (*changes_)[i];
+    if (place_ == place) throw InputError(origin, "", message);
+    if (place_.starts_with(place + "/")) throw InputError(origin, place_, message);
+    if (!place_.empty() && place.starts_with(place_ + "/")) inside = " (after " + origin + ")";
+  }
+  throw InputError(file_, place_, message + inside);
+}
 
 void JsonValue::fail_found(const std::string& allowed) const {
   fail("found " + shown(*json_) + ", allowed: " + allowed);
@@ -190,11 +223,15 @@ JsonValue JsonValue::member(const std::string& key) const {
   require_object();
   const auto it = json_->find(key);
   if (it == json_->end()) fail("\"" + key + "\" is missing");
-  return {*it, file_, place_ + "/" + pointer_token(key)};
+  return part(*it, pointer_token(key));
 }
 
 JsonValue JsonValue::element(std::size_t index) const {
-  return {(*json_)[index], file_, place_ + "/" + std::to_string(index)};
+  return part((*json_)[index], std::to_string(index));
+}
+
+JsonValue JsonValue::part(const Json& json, const std::string& token) const {
+  return {json, file_, place_ + "/" + token, changes_};
 }
 
 std::vector<std::string> JsonValue::keys() const {
@@ -206,7 +243,7 @@ std::vector<std::string> JsonValue::keys() const {
 void JsonValue::allow_keys(const std::vector<std::string>& known) const {
   for (const auto& key : require_object().keys()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      member(key).fail(unknown_name_message("key", key, known));
+      member(key).fail(unknown_key_message(*json_, key, known));
     }
   }
 }

@@ -17,8 +17,8 @@ inline constexpr int kMaxNesting = 64;
 // large, unreadable.
 std::string read_text_file(const std::string& path, std::size_t max_bytes);
 
-// Throws InputError with line and column for malformed text, and with the JSON pointer for a key
-// given twice or nesting deeper than kMaxNesting. `name` stands in messages.
+// Throws InputError with line, column and the likely mistake for malformed text, and with the JSON
+// pointer for a key given twice or nesting deeper than kMaxNesting. `name` stands in messages.
 Json parse_json(const std::string& text, const std::string& name);
 
 // The interval that a number must lie in, and its text: "0 to 1", "above 0", "at least 1".
@@ -33,12 +33,19 @@ struct Allowed {
   std::string text() const;
 };
 
+// A part of the document that does not come from the file: its JSON pointer, and what an error
+// names in the file's place ("-D film.width").
+struct ChangedPlace {
+  std::string place, origin;
+};
+
 // One value with its file and JSON pointer. The getters throw InputError "FILE: PLACE: found X,
-// allowed: Y". A JsonValue refers to the document and must not outlive it.
+// allowed: Y". A JsonValue refers to the document and to `changes`; it must not outlive them.
 class JsonValue {
  public:
-  JsonValue(const Json& json, std::string file, std::string place = "")
-      : json_(&json), file_(std::move(file)), place_(std::move(place)) {}
+  JsonValue(const Json& json, std::string file, std::string place = "",
+            const std::vector<ChangedPlace>* changes = nullptr)
+      : json_(&json), file_(std::move(file)), place_(std::move(place)), changes_(changes) {}
 
   const Json& json() const { return *json_; }
   const std::string& file() const { return file_; }
@@ -62,12 +69,15 @@ class JsonValue {
   JsonValue member(const std::string& key) const;  // fails when it is missing
   JsonValue element(std::size_t index) const;
   std::vector<std::string> keys() const;
-  // Fails at any key that is not in `known`, with the nearest.
+  // Fails at any key that is not in `known`, with the nearest, which may be there already.
   void allow_keys(const std::vector<std::string>& known) const;
 
  private:
+  JsonValue part(const Json& json, const std::string& token) const;
+
   const Json* json_;
   std::string file_, place_;
+  const std::vector<ChangedPlace>* changes_;
 };
 
 // A value as an error shows it: its JSON, shortened.

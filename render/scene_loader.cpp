@@ -30,7 +30,8 @@ void require_white(const JsonValue& document, const RenderSettings& settings) {
   try {
     white_xyz(settings.white, observer(settings.observer));
   } catch (const InputError& error) {
-    throw InputError(document.file(), "/white", error.what());
+    if (document.has("white")) document.member("white").fail(error.what());
+    throw;
   }
 }
 
@@ -57,13 +58,15 @@ std::uint64_t content_hash(Json document, const RenderSettings& settings,
   return hash_of(document.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-Scene build_scene(const Json& json, const std::string& name, const std::string& directory,
+Scene build_scene(const Json& json, const std::vector<ChangedPlace>& changes,
+                  const std::string& name, const std::string& directory,
                   const SceneOverrides& overrides) {
-  const JsonValue document(json, name);
+  const JsonValue document(json, name, "", &changes);
   document.allow_keys(kSections);
   if (document.has("$schema")) document.member("$schema").string();
   Scene scene;
   scene.file = name;
+  scene.files.push_back(name);
   scene.lattice = WavelengthLattice(read_wavelengths(document));
   scene.settings = read_settings(document, overrides);
   require_white(document, scene.settings);
@@ -75,7 +78,8 @@ Scene build_scene(const Json& json, const std::string& name, const std::string& 
                             scene.settings.observer,
                             &scene.warnings,
                             &scene.tables,
-                            interpolation_named(scene.settings.interpolation)};
+                            interpolation_named(scene.settings.interpolation),
+                            &scene.files};
   SceneBuilder(scene, context, overrides.fresnel).build(document);
   if (const auto violation = schema_violation(json); !violation.empty()) {
     throw InputError(name, "", "does not conform to the schema: " + violation);
@@ -88,10 +92,11 @@ Scene build_scene(const Json& json, const std::string& name, const std::string& 
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const std::string& directory, const SceneOverrides& overrides) {
   Json document = parse_json(text, name);
+  std::vector<ChangedPlace> changes;
   if (!overrides.values.empty()) {
-    apply_overrides(document, scene_schema_json(), overrides.values);
+    changes = apply_overrides(document, scene_schema_json(), overrides.values);
   }
-  return build_scene(document, name, directory, overrides);
+  return build_scene(document, changes, name, directory, overrides);
 }
 
 Scene load_scene(const std::string& path, const SceneOverrides& overrides) {

@@ -1,5 +1,6 @@
 #include "render/scene_overrides.h"
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <sstream>
@@ -71,56 +72,139 @@ std::vector<const Json*> step(const Json& root, const std::vector<const Json*>& 
   return next;
 }
 
-std::size_t index_of(const std::string& path, const std::string& token, const Json& array) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  if (error != std::errc() || end != token.data() + token.size() || index >= array.size()) {
-    throw InputError("", option(path),
-                     "found \"" + token + "\", allowed: an index below " +
-                         std::to_string(array.size()) + " of the list");
-  }
-  return index;
-}
-
-// The member that an override goes through: sections the document leaves out are created, named
-// things are not.
-Json& member_of(Json& object, const std::string& path, const std::string& token, bool last,
-                bool is_name) {
-  if (!object.is_object()) object = Json::object();
-  if (is_name && !last && !object.contains(token)) {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : object.items()) names.push_back(name);
-    throw InputError("", option(path), unknown_name_message("name", token, names));
-  }
-  return object[token];
-}
-
-void apply(Json& document, const Json& schema, const std::string& path, const std::string& text) {
-  std::vector<const Json*> schemas;
-  add_alternatives(schema, schema, schemas);
-  const auto tokens = tokens_of(path);
-  Json* target = &document;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    std::set<std::string> known;
-    const bool is_name = has_names(schemas);
-    schemas = step(schema, schemas, tokens[i], known);
-    if (schemas.empty()) {
-      throw InputError("", option(path),
-                       unknown_name_message("key", tokens[i], {known.begin(), known.end()}));
+// Those of `schemas` that may hold for a value of that "type"; all where it has none that is known.
+std::vector<const Json*> of_type(const std::vector<const Json*>& schemas, const Json& value) {
+  if (!value.is_object() || !value.contains("type")) return schemas;
+  std::vector<const Json*> found;
+  for (const Json* schema : schemas) {
+    const Json* properties = schema->contains("properties") ? &(*schema)["properties"] : nullptr;
+    if (properties && properties->contains("type") && (*properties)["type"].contains("const") &&
+        (*properties)["type"]["const"] == value["type"]) {
+      found.push_back(schema);
     }
-    target = target->is_array()
-                 ? &(*target)[index_of(path, tokens[i], *target)]
-                 : &member_of(*target, path, tokens[i], i + 1 == tokens.size(), is_name);
   }
-  // What is not JSON is text: -D white=D65 needs no quotes.
-  *target = Json::accept(text) ? parse_json(text, option(path)) : Json(text);
+  return found.empty() ? schemas : found;
 }
+
+bool is_required(const std::vector<const Json*>& schemas, const std::string& key) {
+  bool known = false;
+  for (const Json* schema : schemas) {
+    if (!schema->contains("properties") || !(*schema)["properties"].contains(key)) continue;
+    known = true;
+    const Json required = schema->value("required", Json::array());
+    if (std::find(required.begin(), required.end(), key) == required.end()) return false;
+  }
+  return known;
+}
+
+bool is_list(const std::vector<const Json*>& schemas) {
+  return std::any_of(schemas.begin(), schemas.end(),
+                     [](const Json* schema) { return schema->contains("items"); });
+}
+
+// One -D on its way through the document.
+class Override {
+ public:
+  Override(const Json& schema, std::string path, bool types_change)
+      : schema_(schema), path_(std::move(path)), types_change_(types_change) {}
+
+  ChangedPlace apply(Json& document, const std::string& text) const {
+    std::vector<const Json*> schemas;
+    add_alternatives(schema_, schema_, schemas);
+    const auto tokens = tokens_of(path_);
+    const Json value = value_of(text);
+    Json* target = &document;
+    std::string place;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const bool last = i + 1 == tokens.size();
+      if (!types_change_) schemas = of_type(schemas, *target);
+      const auto next = step_to(schemas, tokens[i]);
+      if (target->is_null() && is_list(schemas)) *target = Json::array();
+      if (last && value.is_null()) {
+        remove(*target, schemas, tokens[i]);
+        return {};
+      }
+      target = target->is_array() ? &element_of(*target, tokens[i], last)
+                                  : &member_of(*target, tokens[i], last, has_names(schemas));
+      schemas = next;
+      place.append("/").append(pointer_token(tokens[i]));
+    }
+    *target = value;
+    return {place, option(path_)};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError("", option(path_), message);
+  }
+
+  // What is not JSON is text: -D white=D65 needs no quotes. What begins like JSON is meant so.
+  Json value_of(const std::string& text) const {
+    const bool meant = !text.empty() && (text[0] == '{' || text[0] == '[' || text[0] == '"');
+    return meant || Json::accept(text) ? parse_json(text, option(path_)) : Json(text);
+  }
+
+  std::vector<const Json*> step_to(const std::vector<const Json*>& schemas,
+                                   const std::string& token) const {
+    std::set<std::string> known;
+    auto next = step(schema_, schemas, token, known);
+    if (!next.empty()) return next;
+    if (known.empty()) fail("found \"" + token + "\" after a value that has no parts");
+    fail(unknown_name_message("key", token, {known.begin(), known.end()}));
+  }
+
+  void remove(Json& object, const std::vector<const Json*>& schemas, const std::string& key) const {
+    if (object.is_array()) fail("null removes a key, not an element of a list");
+    if (is_required(schemas, key)) fail("\"" + key + "\" must be there and cannot be removed");
+    if (object.is_object()) object.erase(key);
+  }
+
+  Json& element_of(Json& array, const std::string& token, bool last) const {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+    const bool number = error == std::errc() && end == token.data() + token.size();
+    if (number && index < array.size()) return array[index];
+    const std::string size = std::to_string(array.size());
+    if (!number || index > array.size()) {
+      fail("found \"" + token + "\", allowed: an index below " + size + " of the list, or " + size +
+           " to append");
+    }
+    if (!last) fail("the list has no element " + size + " yet; append it whole, as {...}");
+    array.push_back(nullptr);
+    return array.back();
+  }
+
+  // The member that an override goes through: sections the document leaves out are created, named
+  // things are not.
+  Json& member_of(Json& object, const std::string& token, bool last, bool is_name) const {
+    if (!object.is_object()) object = Json::object();
+    if (is_name && !last && !object.contains(token)) {
+      std::vector<std::string> names;
+      for (const auto& [name, value] : object.items()) names.push_back(name);
+      fail(unknown_name_message("name", token, names));
+    }
+    return object[token];
+  }
+
+  const Json& schema_;
+  std::string path_;
+  bool types_change_;  // keys of other types may come to be right
+};
 
 }  // namespace
 
-void apply_overrides(Json& document, const Json& schema,
-                     const std::vector<std::pair<std::string, std::string>>& values) {
-  for (const auto& [path, text] : values) apply(document, schema, path, text);
+std::vector<ChangedPlace> apply_overrides(
+    Json& document, const Json& schema,
+    const std::vector<std::pair<std::string, std::string>>& values) {
+  const bool types_change = std::any_of(values.begin(), values.end(), [](const auto& value) {
+    return value.first.ends_with("type");
+  });
+  std::vector<ChangedPlace> changes;
+  for (const auto& [path, text] : values) {
+    const ChangedPlace change = Override(schema, path, types_change).apply(document, text);
+    if (!change.place.empty()) changes.push_back(change);
+  }
+  return changes;
 }
 
 }  // namespace karat

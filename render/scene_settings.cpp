@@ -35,15 +35,13 @@ void override_integer(const std::optional<int>& given, const std::string& option
   target = *given;
 }
 
-void require_crop_inside(const Crop& crop, const RenderSettings& settings,
-                         const std::string& place) {
+// What is wrong with it, or "".
+std::string crop_error(const Crop& crop, const RenderSettings& settings) {
   const bool inside = crop.x0 >= 0 && crop.y0 >= 0 && crop.x1 <= settings.width &&
                       crop.y1 <= settings.height && crop.x0 < crop.x1 && crop.y0 < crop.y1;
-  if (!inside) {
-    throw InputError(
-        fmt::format("{}: found [{}, {}, {}, {}], allowed: x0 < x1 <= {} and y0 < y1 <= {}", place,
-                    crop.x0, crop.y0, crop.x1, crop.y1, settings.width, settings.height));
-  }
+  if (inside) return "";
+  return fmt::format("found [{}, {}, {}, {}], allowed: x0 < x1 <= {} and y0 < y1 <= {}", crop.x0,
+                     crop.y0, crop.x1, crop.y1, settings.width, settings.height);
 }
 
 Crop read_crop(const JsonValue& value) {
@@ -64,11 +62,12 @@ void read_film(const JsonValue& scene, const SceneOverrides& overrides, RenderSe
   settings.crop = {0, 0, settings.width, settings.height};
   if (overrides.crop) {
     settings.crop = *overrides.crop;
-    require_crop_inside(settings.crop, settings, "--crop");
+    const std::string wrong = crop_error(settings.crop, settings);
+    if (!wrong.empty()) throw InputError("", "--crop", wrong);
   } else if (film.has("crop")) {
     const JsonValue crop = film.member("crop");
     settings.crop = read_crop(crop);
-    require_crop_inside(settings.crop, settings, crop.file() + ": " + crop.place());
+    if (const auto wrong = crop_error(settings.crop, settings); !wrong.empty()) crop.fail(wrong);
   }
 }
 

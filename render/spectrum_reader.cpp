@@ -162,7 +162,9 @@ IndexTablePtr named_index(const JsonValue& value, const ReadContext& context) {
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(beside, error);
   try {
-    return find_index_table(is_file ? beside.string() : value.string());
+    IndexTablePtr table = find_index_table(is_file ? beside.string() : value.string());
+    remember_file(table->provenance().file, context);
+    return table;
   } catch (const InputError& failure) {
     value.fail(failure.what());
   }
@@ -188,6 +190,10 @@ void collect(const Provenance& provenance, const ReadContext& context) {
   if (std::none_of(tables.begin(), tables.end(), same)) tables.push_back(provenance);
 }
 
+void remember_file(const std::string& path, const ReadContext& context) {
+  if (context.files && !path.empty()) context.files->push_back(path);
+}
+
 std::string read_path(const JsonValue& value, const ReadContext& context) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -195,6 +201,7 @@ std::string read_path(const JsonValue& value, const ReadContext& context) {
   if (value.string().empty() || error) value.fail_found("the path of a file");
   if (!fs::exists(path, error)) value.fail("no such file: " + path.string());
   if (fs::is_directory(path, error)) value.fail("is a folder, not a file: " + path.string());
+  remember_file(path.lexically_normal().string(), context);
   return path.lexically_normal().string();
 }
 

@@ -20,7 +20,11 @@ struct ReadContext {
   std::vector<std::string>* warnings = nullptr;  // never null
   std::vector<Provenance>* tables = nullptr;     // never null; every index table read, once each
   Interpolation interpolation = Interpolation::kLinear;  // of index tables
+  std::vector<std::string>* files = nullptr;             // unless null: every file read is added
 };
+
+// Adds a file to those that the scene was read from.
+void remember_file(const std::string& path, const ReadContext& context);
 
 // The path, absolute, of a file named in a scene; fails where there is no such file.
 std::string read_path(const JsonValue& value, const ReadContext& context);

@@ -34,11 +34,25 @@ Transform read_scale(const JsonValue& value) {
 Transform read_look_at(const JsonValue& value) {
   value.allow_keys({"from", "to", "up"});
   const Vec3 from = read_vector(value.member("from")), to = read_vector(value.member("to"));
-  const Vec3 up = value.has("up") ? read_vector(value.member("up")) : Vec3{0, 0, 1};
-  const Vec3 z = to - from, x = cross(up, z);
-  if (!(length_squared(x) > 1e-12f * length_squared(up) * length_squared(z))) {
-    value.fail("\"from\" and \"to\" must differ, and \"up\" must not point along the view");
+  const Vec3 z = to - from;
+  if (!(length_squared(z) > 0.0f)) value.member("to").fail_found("a point other than \"from\"");
+  const auto across = [&](const Vec3& up) {
+    return length_squared(cross(up, z)) > 1e-12f * length_squared(up) * length_squared(z);
+  };
+  Vec3 up{0, 0, 1};
+  if (value.has("up")) {
+    const JsonValue given = value.member("up");
+    up = read_vector(given);
+    if (!(length_squared(up) > 0.0f)) given.fail_found("a direction, not zero");
+    if (!across(up)) {
+      given.fail_found(
+          "a direction across the line from \"from\" to \"to\"; without \"up\" one is "
+          "chosen");
+    }
+  } else if (!across(up)) {
+    up = {0, 1, 0};
   }
+  const Vec3 x = cross(up, z);
   const Vec3 unit_z = normalize(z), unit_x = normalize(x);
   return {unit_x, cross(unit_z, unit_x), unit_z, from};
 }

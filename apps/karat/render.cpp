@@ -5,9 +5,11 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "apps/karat/command.h"
+#include "apps/karat/output_files.h"
 #include "apps/karat/progress.h"
 #include "apps/karat/render_cli.h"
 #include "apps/karat/render_output.h"
@@ -49,7 +51,9 @@ class InterruptGuard {
 };
 
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const auto& warning : warnings) fmt::print(stderr, "karat: warning: {}\n", warning);
+  for (const auto& warning : warnings) {
+    fmt::print(stderr, "karat: warning: {}\n", printable(warning));
+  }
 }
 
 Film make_film(const Scene& scene) {
@@ -94,20 +98,41 @@ void report(const RenderCommandOptions& options, const Film& film, const RenderR
                             files.empty() ? "" : ", written: ", files));
 }
 
+// The samples per pixel that a checkpoint brings into `film`.
+int resumed_samples(const RenderCommandOptions& options, const Scene& scene, Film& film,
+                    const Progress& progress) {
+  if (!options.resume) return 0;
+  if (!std::filesystem::exists(options.checkpoint)) {
+    progress.note(options.checkpoint + " is not there yet: the render begins with sample 1");
+    return 0;
+  }
+  const int held = load_checkpoint(options.checkpoint, scene, film);
+  if (held >= scene.settings.spp) {
+    progress.note(fmt::format(
+        "{} holds {} spp, {} were asked for: nothing is left to render; the images show all {}",
+        options.checkpoint, held, scene.settings.spp, held));
+  } else {
+    progress.note(fmt::format("{} holds {} spp: goes on from there", options.checkpoint, held));
+  }
+  return held;
+}
+
 int run(const RenderCommandOptions& options) {
+  require_safe_outputs(options);
   const RenderOutput output(options);
-  const Scene scene = load_scene(options.scene, options.overrides);
+  Scene scene = load_scene(options.scene, options.overrides);
+  require_outputs_apart(options, scene.files);
   print_warnings(scene.warnings);
   Progress progress(options.progress, options.time_limit_seconds);
   if (const auto view = output.view_description(); !view.empty()) progress.note("view: " + view);
 
   Film film = make_film(scene);
-  const int first_sample = options.resume ? load_checkpoint(options.checkpoint, scene, film) : 0;
+  const int first_sample = resumed_samples(options, scene, film, progress);
   const InterruptGuard guard;
   const double first_ray_seconds = seconds_since_start();
   const RenderResult result = render_passes(options, scene, film, first_sample, progress);
   if (!options.checkpoint.empty()) save_checkpoint(options.checkpoint, scene, film, result.samples);
-  output.write(scene, film, result);
+  print_warnings(output.write(scene, film, result));
   if (!options.stats.empty()) write_stats(options, scene, film, result, first_ray_seconds);
   report(options, film, result, progress);
   return result.interrupted ? kInterrupted : kDone;

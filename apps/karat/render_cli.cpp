@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "apps/karat/number_check.h"
 #include "apps/karat/render_output.h"
@@ -61,8 +62,9 @@ void add_output_options(CLI::App& command, Options& options) {
 void add_scene_options(CLI::App& command, Options& options,
                        const std::function<void(const std::string&)>& define) {
   SceneOverrides& overrides = options.overrides;
-  command.add_option("--spp", overrides.spp, "Samples per pixel")->check(CLI::Range(1, kMaxSpp));
-  command.add_option("--seed", overrides.seed, "Seed of the random numbers");
+  command.add_option("--spp", overrides.spp, "Samples per pixel")->check(integer_check(1, kMaxSpp));
+  command.add_option("--seed", overrides.seed, "Seed of the random numbers")
+      ->check(integer_check(0, std::numeric_limits<std::uint32_t>::max()));
   command
       .add_option_function<std::string>(
           "--size",
@@ -92,21 +94,26 @@ void add_scene_options(CLI::App& command, Options& options,
           [define](const std::vector<std::string>& definitions) {
             for (const auto& definition : definitions) define(definition);
           },
-          "Change a value of the scene: PATH=VALUE, as materials.gold.alpha=0.2")
+          "Change a value of the scene, as materials.gold.alpha=0.2; null removes a key, the index "
+          "after a list's last appends")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
 }
 
 void add_run_options(CLI::App& command, Options& options) {
   command.add_option("--threads", options.threads, "Threads, 0 for all")
-      ->check(CLI::Range(0, 4096));
+      ->check(integer_check(0, 4096));
   command
       .add_option("--time", options.time_limit_seconds,
                   "Seconds after which to stop; alone, until then however many samples")
-      ->check(number_check(0.0, 1e9));
+      ->check(number_check(0.001, 1e9));
   command.add_option("--checkpoint", options.checkpoint,
-                     "File for the unfinished render, saved every 30 s and at the end");
-  command.add_flag("--resume", options.resume, "Go on from the checkpoint file")
+                     "File for the unfinished render, saved every 30 s and at the end; one that "
+                     "exists is kept unless --resume is given");
+  command
+      .add_flag("--resume", options.resume,
+                "Go on from the checkpoint file where it exists, else begin it; with it, the same "
+                "command can be repeated until the render is whole")
       ->needs("--checkpoint");
   command
       .add_option("--progress", options.progress,
@@ -140,11 +147,34 @@ void require_known(const std::string& option, const std::string& what,
   }
 }
 
-void require_sense(Options& options) {
+// Options that would do nothing are mistakes: what they need must be there.
+void require_effect(const CLI::App& command, const Options& options) {
+  const auto any = [&](bool (*is_kind)(const std::string&)) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(), is_kind);
+  };
+  const bool exr = any(is_exr), png = any(is_png);
+  const auto require = [&](std::initializer_list<const char*> names, bool useful,
+                           const char* needed) {
+    for (const char* name : names) {
+      if (command.count(name) > 0 && !useful) throw CLI::ValidationError(name, needed);
+    }
+  };
+  require({"--exposure", "--display", "--view", "--ocio"}, png, "needs -o FILE.png");
+  // A checkpoint keeps the feature layers for the EXR of a later run.
+  require({"--aov"}, exr || !options.checkpoint.empty(), "needs -o FILE.exr");
+  require({"--half"}, exr || !options.spectral.empty(), "needs -o FILE.exr or --spectral FILE.exr");
+  require({"--spectral-bins"}, !options.spectral.empty(), "needs --spectral FILE.exr");
+}
+
+void require_sense(const CLI::App& command, Options& options) {
   for (const auto& path : options.outputs) {
     if (!is_png(path) && !is_exr(path)) {
       throw CLI::ValidationError("-o", "found \"" + path + "\", allowed: a name in .exr or .png");
     }
+  }
+  if (!options.spectral.empty() && !is_exr(options.spectral)) {
+    throw CLI::ValidationError("--spectral",
+                               "found \"" + options.spectral + "\", allowed: a name in .exr");
   }
   if (options.outputs.empty() && options.spectral.empty() && options.stats.empty() &&
       options.checkpoint.empty()) {
@@ -156,14 +186,12 @@ void require_sense(Options& options) {
                   Registry<FresnelModel>::instance().names());
   }
   int& bins = options.overrides.spectral_bins;
-  if (options.spectral.empty() && bins != 0) {
-    throw CLI::ValidationError("--spectral-bins", "needs --spectral FILE");
-  }
   if (!options.spectral.empty() && bins == 0) bins = kDefaultSpectralBins;
   if (bins < 0 || bins > kLatticeSize || (bins & (bins - 1)) != 0) {
     throw CLI::ValidationError(
         "--spectral-bins", "found " + std::to_string(bins) + ", allowed: a power of two up to 512");
   }
+  require_effect(command, options);
   // A time alone means: as many samples as fit.
   if (options.time_limit_seconds > 0.0 && !options.overrides.spp) options.overrides.spp = kMaxSpp;
 }
@@ -183,8 +211,8 @@ void add_render_options(CLI::App& app, const std::shared_ptr<RenderCommandOption
   command->footer(
       "Example: karat render data/scenes/rings.json -o rings.exr -o rings.png --spp 256 "
       "-D materials.gold.alpha=0.2");
-  command->callback([options, parsed] {
-    require_sense(*options);
+  command->callback([command, options, parsed] {
+    require_sense(*command, *options);
     parsed();
   });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/karat/picture_warnings.h"
 #include "render/film_image.h"
 #include "render/image_codec.h"
 #include "render/image_file.h"
@@ -19,6 +20,13 @@ bool has_extension(const std::string& path, const std::string& extension) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return found == extension;
+}
+
+// Whether the loader found that the scene cannot give light.
+bool known_to_be_black(const Scene& scene) {
+  return std::any_of(scene.warnings.begin(), scene.warnings.end(), [](const std::string& warning) {
+    return warning.starts_with("the image will be black");
+  });
 }
 
 // The colours alone, as the view shows them.
@@ -57,10 +65,17 @@ RenderOutput::RenderOutput(const RenderCommandOptions& options) : options_(optio
 
 std::string RenderOutput::view_description() const { return view_ ? view_->description() : ""; }
 
-void RenderOutput::write(const Scene& scene, const Film& film, const RenderResult& result) const {
+std::vector<std::string> RenderOutput::write(Scene& scene, const Film& film,
+                                             const RenderResult& result) const {
   const RunFacts run{result.seconds, thread_count(options_)};
   const RunFacts* facts = options_.reproducible ? nullptr : &run;
   Image image = film_image(scene, film);
+  std::vector<std::string> warnings;
+  // What must be black was said before rendering, with the cause.
+  if (result.samples > 0 && !known_to_be_black(scene)) {
+    warnings = picture_warnings(image, view_ ? &*view_ : nullptr);
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  }
   add_provenance(image, scene, result.samples, facts);
   for (const auto& path : options_.outputs) {
     if (is_png(path)) {
@@ -74,6 +89,7 @@ void RenderOutput::write(const Scene& scene, const Film& film, const RenderResul
     add_provenance(spectral, scene, result.samples, facts);
     write_exr(options_.spectral, spectral, options_.half);
   }
+  return warnings;
 }
 
 }  // namespace karat

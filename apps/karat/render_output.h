@@ -20,8 +20,9 @@ class RenderOutput {
   // "" when no display view is written.
   std::string view_description() const;
 
-  // Writes all images. Throws RuntimeError.
-  void write(const Scene& scene, const Film& film, const RenderResult& result) const;
+  // Writes all images. What is wrong with the picture is returned, and added to the scene's
+  // warnings, which the images carry. Throws RuntimeError.
+  std::vector<std::string> write(Scene& scene, const Film& film, const RenderResult& result) const;
 
  private:
   const RenderCommandOptions& options_;

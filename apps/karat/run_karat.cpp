@@ -26,7 +26,7 @@ std::string version_text() {
 
 int fail(int code, const std::string& message) {
   std::fflush(stdout);
-  fmt::print(stderr, "karat: error: {}\n", message);
+  fmt::print(stderr, "karat: error: {}\n", printable(message));
   return code;
 }
 
@@ -99,6 +99,8 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error,
 int run_action(const std::function<int()>& action) {
   try {
     return action();
+  } catch (const UsageError& error) {
+    return fail(kWrongUsage, error.what());
   } catch (const InputError& error) {
     return fail(kInvalidInput, error.what());
   } catch (const std::bad_alloc&) {
@@ -109,6 +111,16 @@ int run_action(const std::function<int()>& action) {
 }
 
 }  // namespace
+
+std::string printable(const std::string& text) {
+  std::string shown;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool control = (byte < 0x20 && c != '\n') || byte == 0x7f;
+    shown += control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return shown;
+}
 
 double seconds_since_start() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - kStart).count();

@@ -7,6 +7,8 @@
 // of Pharr, Jakob and Humphreys, "Physically Based Rendering", 3rd ed. 2016, sec. 16.1.1. A path
 // that arrives from `point` therefore adds (radiance leaving the point) x cos(point) / distance^2 x
 // importance x (number of pixels) to the mean radiance of the pixel where it lands.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "materials/sampling.h"
@@ -85,16 +87,34 @@ class PerspectiveCamera final : public Camera {
   float inverse_area_;
 };
 
-// The viewing frame; throws where position, look_at and up leave it undetermined.
-Frame viewing_frame(Vec3 position, Vec3 look_at, Vec3 up) {
-  const Vec3 forward = look_at - position;
-  if (!(length(forward) > 0.0f)) throw InputError("look_at must differ from position");
-  const Vec3 n = normalize(forward);
-  const Vec3 right = cross(n, up);
-  if (!(length(right) > 1e-6f * length(up))) {
-    throw InputError("up must be a vector that is not along the viewing direction");
+std::string text_of(const Vec3& v) { return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z); }
+
+// The direction that is up in the image along the viewing direction n: what was given, else z, or y
+// where the camera looks along z.
+Vec3 up_direction(const Parameters& parameters, const Vec3& n) {
+  const auto across = [&](const Vec3& up) { return length(cross(n, up)) > 1e-6f * length(up); };
+  if (!parameters.has("up")) return across({0, 0, 1}) ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  const Vec3 up = parameters.vector3("up");
+  if (!(length(up) > 0.0f)) throw InputError("up: found [0, 0, 0], allowed: a direction, not zero");
+  if (!across(up)) {
+    throw InputError("up: found " + text_of(up) + ", which is the viewing direction " + text_of(n) +
+                     " or its opposite; allowed: a direction across it, as " +
+                     (std::abs(n.z) > 0.9f ? "[0, 1, 0]" : "[0, 0, 1]") +
+                     ", or none: one is chosen then");
   }
-  const Vec3 s = normalize(right);
+  return up;
+}
+
+// The viewing frame; throws where position, look_at and up leave it undetermined.
+Frame viewing_frame(const Parameters& parameters) {
+  const Vec3 position = parameters.vector3("position");
+  const Vec3 forward = parameters.vector3("look_at") - position;
+  if (!(length(forward) > 0.0f)) {
+    throw InputError("look_at: found " + text_of(position) +
+                     ", which is the camera's position; allowed: another point");
+  }
+  const Vec3 n = normalize(forward);
+  const Vec3 s = normalize(cross(n, up_direction(parameters, n)));
   return {s, cross(n, s), n};
 }
 
@@ -122,8 +142,8 @@ class PerspectiveType final : public CameraType {
              .required = true},
             {.name = "up",
              .type = ParameterType::kVector3,
-             .description = "The direction that points up in the image; any length.",
-             .default_json = "[0, 0, 1]"},
+             .description = "The direction that points up in the image; any length. Unless given, "
+                            "z, or y where the camera looks along z."},
             {.name = "fov_deg",
              .description = "Full angle of view along fov_axis, in degrees.",
              .default_json = "40",
@@ -151,7 +171,7 @@ class PerspectiveType final : public CameraType {
     const Vec3 position = parameters.vector3("position"), look_at = parameters.vector3("look_at");
     PerspectiveCamera::Setup setup;
     setup.position = position;
-    setup.frame = viewing_frame(position, look_at, parameters.vector3("up"));
+    setup.frame = viewing_frame(parameters);
     const auto half_angle = static_cast<float>(parameters.number("fov_deg")) * (kPi / 360.0f);
     const bool along_width = spans_width(parameters.string("fov_axis"), width, height);
     const float per_pixel = std::tan(half_angle) / static_cast<float>(along_width ? width : height);

@@ -21,8 +21,8 @@ class RuntimeError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The name in `known` with the smallest edit distance to `name`, or "" when none is near (more than
-// a third of the letters differ). Letter case counts half.
+// The name in `known` that `name` begins or is a word of ("fov" in "fov_deg"), else the one with
+// the smallest edit distance, else "" when more than a quarter differs. Letter case counts half.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 // `unknown WHAT "NAME"; did you mean "NEAR"? Known: a, b, c.` (at most 20 names are listed).
