@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "materials/index/element.h"
 #include "materials/index/index_mixture.h"
+#include "render/alloy_presets.h"
 #include "render/index_reader.h"
-#include "spectral/spectrum_file.h"
 #include "spectral/support/error.h"
 
 namespace karat {
 namespace {
 
 constexpr double kSumTolerance = 1e-6;
+constexpr int kMostNestedPresets = 16;
 constexpr std::size_t kMostParts = 64, kMostPresetBytes = std::size_t{1} << 20;
 
 struct Part {
@@ -24,9 +26,9 @@ struct Part {
 };
 
 // A number of the part's own, or that of the element whose table it is.
-double property(const JsonValue& part, const std::string& key, const NamedIndex& index,
-                double Element::*of_element) {
-  if (part.has(key)) return part.member(key).number({1e-6, 1e6});
+double property(const JsonValue& part, const std::string& key, const Allowed& allowed,
+                const NamedIndex& index, double Element::*of_element) {
+  if (part.has(key)) return part.member(key).number(allowed);
   const std::optional<Element> element = element_of_table(index.name);
   if (!element) {
     part.fail(fmt::format("the {} of \"{}\" is not known: say {{\"fraction\": ..., \"{}\": ...}}",
@@ -38,9 +40,10 @@ double property(const JsonValue& part, const std::string& key, const NamedIndex&
 
 double volume_per_fraction(const JsonValue& part, const NamedIndex& index, const std::string& by) {
   if (by == "volume") return 1.0;
-  const double density = property(part, "density", index, &Element::density_g_cm3);
+  const double density =
+      property(part, "density", {kLeastDensity, kMostDensity}, index, &Element::density_g_cm3);
   if (by == "mass") return 1.0 / density;
-  return property(part, "molar_mass", index, &Element::atomic_mass) / density;
+  return property(part, "molar_mass", {1e-6, 1e6}, index, &Element::atomic_mass) / density;
 }
 
 // `value` is what stands beside the name, or the element of the list.
@@ -131,7 +134,7 @@ IndexTablePtr read_mixture(const JsonValue& value, const ReadContext& context) {
 IndexTablePtr read_preset(const JsonValue& name, const ReadContext& context) {
   std::string path;
   try {
-    path = named_data_file("alloys", "alloy", name.string());
+    path = alloy_file(name.string());
   } catch (const InputError& error) {
     name.fail(error.what());
   }
@@ -144,7 +147,12 @@ IndexTablePtr read_preset(const JsonValue& name, const ReadContext& context) {
   provenance.file = path;
   provenance.reference = document.member("source").string();
   collect(provenance, context);
-  return read_index(document.member("nk"), context);
+  ReadContext inside = context;
+  inside.directory = std::filesystem::path(path).parent_path().string();
+  if (++inside.preset_depth > kMostNestedPresets) {
+    name.fail(fmt::format("presets of alloys nested deeper than {}", kMostNestedPresets));
+  }
+  return read_index(document.member("nk"), inside);
 }
 
 }  // namespace

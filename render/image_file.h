@@ -16,6 +16,9 @@ struct Image {
   std::map<std::string, double> number_attributes;  // written as floats
   // Where the pixels lie in the full image (data window and display window).
   int x = 0, y = 0, full_width = 0, full_height = 0;
+  // Of a file that was read: its pixels were integers (PNG, JPEG), which hold encoded pictures
+  // unless "oiio:ColorSpace" says otherwise. `values` are as the file holds them, from 0 to 1.
+  bool from_integers = false;
 };
 
 // Writes an EXR (32-bit float, or half) through a temporary file that is renamed: the old file

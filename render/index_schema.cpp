@@ -4,6 +4,7 @@
 
 #include "materials/film_stack.h"
 #include "materials/mixing_rule.h"
+#include "render/alloy_reader.h"
 #include "spectral/spectrum_file.h"
 
 namespace karat {
@@ -50,9 +51,12 @@ Json members(const std::string& what, const std::string& key, const Json& number
 Json alloy_schema() {
   Json fraction = number_from_0("Part of the whole; all parts sum to 1.");
   fraction["maximum"] = 1;
+  Json density = number("g/cm3; known for elements by the name of their table.");
+  density["minimum"] = kLeastDensity;
+  density["maximum"] = kMostDensity;
   const Json parts = members(
       "A part of an alloy.", "fraction", fraction,
-      {{"density", number_above_0("g/cm3; known for elements by the name of their table.")},
+      {{"density", density},
        {"molar_mass", number_above_0("g/mol; known for elements by the name of their table.")}});
   Json model = {{"enum", Registry<MixingRule>::instance().names()}, {"default", "bruggeman"}};
   model["description"] = "Effective-medium rule.";
@@ -63,7 +67,9 @@ Json alloy_schema() {
 }
 
 Json preset_schema() {
-  return object("An alloy of data/alloys.", {{"alloy", {{"enum", data_names("alloys")}}}},
+  // Any text, for the user's own presets; Karat's for editors to complete.
+  const Json name = {{"anyOf", {{{"enum", data_names("alloys")}}, {{"type", "string"}}}}};
+  return object("An alloy of data/alloys or of the user's folder karat/alloys.", {{"alloy", name}},
                 {"alloy"});
 }
 

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <sstream>
 
-#include "materials/index/index_catalogue.h"
+#include "materials/index/index_coverage.h"
 #include "render/index_reader.h"
+#include "render/named_index.h"
+#include "render/scene_path.h"
+#include "render/spectrum_columns.h"
 #include "spectral/colour.h"
 #include "spectral/illuminant.h"
 #include "spectral/rgb_to_spectrum.h"
@@ -19,61 +20,29 @@ namespace {
 constexpr std::size_t kMaxSpectrumBytes = std::size_t{16} << 20;
 constexpr double kLargestValue = 1e30;
 
-struct Rows {
-  std::vector<double> nm, values;
-
-  void add(double wavelength_nm, double value) {
-    nm.push_back(wavelength_nm);
-    values.push_back(value);
-  }
-};
-
-SpectrumPtr table_of(Rows rows, const JsonValue& value, std::string description) {
-  if (rows.nm.empty()) value.fail("a table of a spectrum needs at least one row [nm, value]");
-  const auto falling = std::adjacent_find(rows.nm.begin(), rows.nm.end(),
-                                          [](double a, double b) { return !(a < b); });
-  if (falling != rows.nm.end()) {
-    value.fail(fmt::format("wavelengths must increase; found {:g} nm after {:g} nm",
-                           *std::next(falling), *falling));
-  }
-  return table_spectrum(std::move(rows.nm), std::move(rows.values), std::move(description));
-}
-
 SpectrumPtr read_table(const JsonValue& value, const Allowed& allowed) {
   value.require_array();
-  Rows rows;
+  std::vector<SpectrumSample> rows;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const JsonValue row = value.element(i);
     if (!row.json().is_array() || row.size() != 2) row.fail_found("[wavelength in nm, value]");
-    rows.add(row.element(0).number({0.0, 1e9, true}), row.element(1).number(allowed));
+    rows.push_back({row.element(0).number({0.0, 1e9, true}), row.element(1).number(allowed)});
   }
-  return table_of(std::move(rows), value, "table " + value.place());
+  try {
+    return spectrum_of_rows(rows, "table " + value.place());
+  } catch (const InputError& error) {
+    value.fail(error.what());
+  }
 }
 
-// Two columns, wavelength in nm and value; '#' begins a comment.
 SpectrumPtr read_spectrum_file(const JsonValue& value, const Allowed& allowed,
                                const ReadContext& context) {
   const std::string path = read_path(value, context);
-  std::istringstream lines(read_text_file(path, kMaxSpectrumBytes));
-  Rows rows;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::istringstream columns(line.substr(0, line.find('#')));
-    columns.imbue(std::locale::classic());
-    double nm = 0.0, sample = 0.0;
-    std::string rest;
-    if (!(columns >> std::ws) || columns.eof()) continue;
-    if (!(columns >> nm >> sample) || columns >> rest || !(nm > 0.0)) {
-      throw InputError(path, fmt::format("line {}", number),
-                       "found \"" + line.substr(0, 60) + "\", allowed: wavelength in nm and value");
-    }
-    if (!allowed.contains(sample)) {
-      throw InputError(path, fmt::format("line {}", number),
-                       fmt::format("found {:g}, allowed: {}", sample, allowed.text()));
-    }
-    rows.add(nm, sample);
+  try {
+    return spectrum_of_text(read_text_file(path, kMaxSpectrumBytes), path, allowed);
+  } catch (const InputError& error) {
+    value.fail(error.what());
   }
-  return table_of(std::move(rows), value, std::filesystem::path(path).filename().string());
 }
 
 Rgb read_rgb(const JsonValue& object, double largest) {
@@ -157,26 +126,15 @@ IndexTablePtr inline_index(const JsonValue& value, const ReadContext& context) {
   return index_from_spectra(eta, k, provenance);
 }
 
-IndexTablePtr named_index(const JsonValue& value, const ReadContext& context) {
-  const std::filesystem::path beside = std::filesystem::path(context.directory) / value.string();
-  std::error_code error;
-  const bool is_file = std::filesystem::is_regular_file(beside, error);
-  try {
-    IndexTablePtr table = find_index_table(is_file ? beside.string() : value.string());
-    remember_file(table->provenance().file, context);
-    return table;
-  } catch (const InputError& failure) {
-    value.fail(failure.what());
-  }
-}
-
 void require_index_coverage(const IndexTable& table, const JsonValue& value,
                             const ReadContext& context) {
   try {
     const std::string warning = require_coverage(table, context.range, context.policy);
     if (!warning.empty()) context.warnings->push_back(value.place() + ": " + warning);
   } catch (const InputError& failure) {
-    value.fail(failure.what());
+    value.fail(std::string(failure.what()) +
+               "; choose another table or other \"wavelengths\", or say \"extrapolate\": \"clamp\" "
+               "to hold its end values");
   }
 }
 
@@ -195,14 +153,11 @@ void remember_file(const std::string& path, const ReadContext& context) {
 }
 
 std::string read_path(const JsonValue& value, const ReadContext& context) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path path = fs::absolute(fs::path(context.directory) / value.string(), error);
-  if (value.string().empty() || error) value.fail_found("the path of a file");
-  if (!fs::exists(path, error)) value.fail("no such file: " + path.string());
-  if (fs::is_directory(path, error)) value.fail("is a folder, not a file: " + path.string());
-  remember_file(path.lexically_normal().string(), context);
-  return path.lexically_normal().string();
+  if (value.string().empty()) value.fail_found("the path of a file");
+  const auto file = find_scene_file(value.string(), context);
+  if (!file) value.fail(missing_file_message(value.string(), context));
+  remember_file(*file, context);
+  return *file;
 }
 
 SpectrumPtr read_reflectance(const JsonValue& value, const ReadContext& context) {
@@ -262,7 +217,7 @@ IndexTablePtr read_index(const JsonValue& value, const ReadContext& context) {
 
 void require_spectrum_coverage(const Spectrum& spectrum, const JsonValue& value,
                                const ReadContext& context) {
-  if (spectrum.range().covers(context.range)) return;
+  if (is_covered(spectrum.range(), context.range)) return;
   const std::string sentence =
       fmt::format("{} is known from {:g} to {:g} nm, the scene asks for {:g} to {:g} nm",
                   spectrum.description(), spectrum.range().min_nm, spectrum.range().max_nm,

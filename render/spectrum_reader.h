@@ -13,7 +13,8 @@ namespace karat {
 
 // What reading a scene needs to know, and what it collects.
 struct ReadContext {
-  std::string directory;  // of the scene file: relative paths start here
+  std::string
+      directory;  // of the scene file: relative paths start here, then in the working folder
   WavelengthRange range = kVisible;
   RangePolicy policy = RangePolicy::kError;
   std::string observer = "cie1931";
@@ -21,17 +22,18 @@ struct ReadContext {
   std::vector<Provenance>* tables = nullptr;     // never null; every index table read, once each
   Interpolation interpolation = Interpolation::kLinear;  // of index tables
   std::vector<std::string>* files = nullptr;             // unless null: every file read is added
+  int preset_depth = 0;                                  // of alloys' presets within each other
 };
 
 // Adds a file to those that the scene was read from.
 void remember_file(const std::string& path, const ReadContext& context);
 
-// The path, absolute, of a file named in a scene; fails where there is no such file.
+// The path, absolute, of a file named in a scene (scene_path.h); fails where there is no such file.
 std::string read_path(const JsonValue& value, const ReadContext& context);
 
 // A number, {"rgb": [r, g, b]} (smooth spectrum of that linear sRGB colour), {"table": [[nm,
 // value],
-// ...]}, {"file": "x.spd"}; with "scale". Values outside [0, 1] are an error.
+// ...]}, {"file": "x.spd"} (spectrum_columns.h); with "scale". Values outside [0, 1] are an error.
 SpectrumPtr read_reflectance(const JsonValue& value, const ReadContext& context);
 
 // As above, without upper limit, and {"illuminant": NAME}, {"blackbody": kelvin}, {"rgb": ...,

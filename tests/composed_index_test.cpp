@@ -88,6 +88,17 @@ TEST_CASE("presets: every one loads, covers the visible and names its source", "
              Contains("/materials/clay/nk/alloy") && Contains("did you mean \"yellow-gold-18k\""));
 }
 
+TEST_CASE("densities are in g/cm3: those in kg/m3 are refused", "[composed_index]") {
+  const auto part = [](double density) {
+    return Json(
+        {{"alloy", {{{"nk", 1.5}, {"fraction", 1}, {"density", density}}}}, {"by", "mass"}});
+  };
+  CHECK_THAT(load_error(metal(part(8960))),
+             Contains("/density: found 8960") && Contains("0.01 to 30"));
+  CHECK_THAT(load_error(metal(part(0.001))), Contains("0.01 to 30"));
+  CHECK_NOTHROW(load_scene_text(metal(part(22.59)).dump(), "test.json", ""));
+}
+
 TEST_CASE("alloys inside alloys, and of inline values", "[composed_index]") {
   const Read nested = read(R"({"alloy": [{"nk": {"alloy": "yellow-gold-18k"}, "fraction": 0.5},
                                          {"nk": {"eta": 1.5, "k": 2.0}, "fraction": 0.5}], "by": "volume", "model": "linear"})");

@@ -25,15 +25,17 @@ using Texels = std::vector<float>;  // RGB, row by row
 class ImageLight {
  public:
   ImageLight(int width, int height, const Texels& texels, const Transform& transform = {},
-             double scale = 1.0) {
+             double scale = 1.0, const std::string& ending = "exr") {
     std::string folder =
         (std::filesystem::temp_directory_path() / "karat_environment_XXXXXX").string();
     REQUIRE(mkdtemp(folder.data()));
     folder_ = folder;
-    file_ = folder + "/sky.exr";
+    file_ = folder + "/sky." + ending;
     const auto output = OIIO::ImageOutput::create(file_);
     REQUIRE(output);
-    REQUIRE(output->open(file_, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT)));
+    REQUIRE(output->open(
+        file_, OIIO::ImageSpec(width, height, 3,
+                               ending == "exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8)));
     REQUIRE(output->write_image(OIIO::TypeDesc::FLOAT, texels.data()));
     REQUIRE(output->close());
     transform_ = transform;
@@ -266,6 +268,30 @@ TEST_CASE("a white image is the constant environment of D65", "[image_environmen
   CHECK(light->power(3) == Approx(4 * kPiD * kPiD * 9 * mean_white).epsilon(1e-5));
   CHECK(light->pdf({}, {0, 0, 1}, nullptr) == Approx(1 / (4 * kPiD)).epsilon(1e-5));
   CHECK(light->is_environment());
+}
+
+TEST_CASE("a picture of 8 bits is decoded from sRGB, and says so", "[image_environment]") {
+  // 188 of 255 is linear 0.5029 (IEC 61966-2-1).
+  const double decoded = std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4);
+  ImageLight linear(16, 8, Texels(16 * 8 * 3, static_cast<float>(decoded)));
+  for (const char* ending : {"png", "jpg"}) {
+    INFO(ending);
+    ImageLight picture(16, 8, Texels(16 * 8 * 3, 188.0f / 255.0f), {}, 1.0, ending);
+    const Vec3 up{0.0f, 0.0f, 1.0f};
+    CHECK(picture.make()->radiance(up, nullptr, 0)[7] ==
+          Approx(linear.make()->radiance(up, nullptr, 0)[7]).epsilon(1e-4));
+    REQUIRE(picture.warnings.size() == 1);
+    CHECK_THAT(picture.warnings[0],
+               Catch::Contains("sky." + std::string(ending)) && Catch::Contains("sRGB"));
+  }
+  CHECK(linear.warnings.empty());
+}
+
+TEST_CASE("an image that is not twice as wide as high is warned of", "[image_environment]") {
+  ImageLight square(8, 8, Texels(8 * 8 * 3, 1.0f));
+  CHECK(square.make());
+  REQUIRE(square.warnings.size() == 1);
+  CHECK_THAT(square.warnings[0], Catch::Contains("8 x 8") && Catch::Contains("twice as wide"));
 }
 
 TEST_CASE("environment images that cannot be used are refused", "[image_environment]") {

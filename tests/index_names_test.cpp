@@ -73,6 +73,33 @@ TEST_CASE("the command line takes short names, scenes do not", "[index][index-na
                     Contains("did you mean \"main/Au/Johnson\""));
 }
 
+TEST_CASE("a hint names tables of the book that was typed, never another metal's",
+          "[index][index-names]") {
+  CHECK(name_hint("Au", kKnown) ==
+        "did you mean one of main/Au/Johnson, main/Au/Olmon-ev, main/Au/Olmon-sc?");
+  CHECK(name_hint("Au/Johnson", kKnown) == "did you mean \"main/Au/Johnson\"?");
+  CHECK(name_hint("main/Au/Jonson", kKnown) == "did you mean \"main/Au/Johnson\"?");
+  CHECK(name_hint("main/Au/nk/Jonson.yml", kKnown) == "did you mean \"main/Au/Johnson\"?");
+  CHECK(name_hint("mian/Au/Johnson", kKnown) == "did you mean \"main/Au/Johnson\"?");
+  CHECK(name_hint("main/gold/Jonson", kKnown) == "did you mean \"main/Au/Johnson\"?");
+  CHECK(name_hint("main/Au/Palik", kKnown) ==
+        "did you mean one of main/Au/Johnson, main/Au/Olmon-ev, main/Au/Olmon-sc?");
+  CHECK(name_hint("Jonson", kKnown) == "did you mean one of main/Au/Johnson, main/Co/Johnson?");
+  for (const char* typed : {"Ag/Jonson", "main/Ru/Jonson", "main/Smyth", "Ru", "/", "", "a/"}) {
+    INFO(typed);
+    CHECK(name_hint(typed, kKnown).empty());
+  }
+}
+
+TEST_CASE("a full name is asked for by its book's full names", "[index][index-names]") {
+  CHECK_THROWS_WITH(find_index_table("Au"), Contains("did you mean one of main/Au/") &&
+                                                Contains("more?") && !Contains("Ag"));
+  CHECK_THROWS_WITH(find_index_table("main/C/diamond"), Contains("main/C/Peter, main/C/Phillip?"));
+  CHECK_THROWS_WITH(find_index_table("main/Ru/Palik"), !Contains("did you mean"));
+  CHECK_THROWS_WITH(find_index_table("main/Si/Green-2009"),
+                    Contains("main/Si/") && !Contains("H2O"));
+}
+
 TEST_CASE("all tables of a material", "[index][index-names]") {
   const Names gold = matching_index_names("Au");
   CHECK(gold.size() >= 10);

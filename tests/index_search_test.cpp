@@ -151,6 +151,9 @@ TEST_CASE("a word that nobody has is answered with the nearest one", "[index][in
   CHECK(result.hits.empty());
   CHECK(result.unknown_word == "jonson");
   CHECK(result.nearest_word == "johnson");
+  CHECK(search({"rakci"}).nearest_word == "rakic");
+  CHECK(search({"ruby"}).nearest_word != "by");
+  CHECK(search({"white"}).nearest_word.empty());
   CHECK(search({"gold", "titanium"}).unknown_word.empty());  // both exist, in no table together
 }
 

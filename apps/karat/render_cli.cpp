@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include "apps/karat/number_check.h"
 #include "apps/karat/render_output.h"
+#include "apps/karat/size_option.h"
 #include "materials/fresnel.h"
 #include "render/scene_settings.h"
 #include "spectral/support/error.h"
@@ -17,27 +17,6 @@ namespace {
 constexpr int kDefaultSpectralBins = 64;
 
 using Options = RenderCommandOptions;
-
-// Whole numbers between separators: "640x480".
-std::vector<int> split_integers(const std::string& text, char separator, std::size_t count,
-                                const std::string& option, const std::string& form) {
-  std::vector<int> numbers;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  while (numbers.size() < count) {
-    int number = 0;
-    const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc()) break;
-    numbers.push_back(number);
-    at = next;
-    if (at == end || *at != separator || numbers.size() == count) break;
-    ++at;
-  }
-  if (numbers.size() != count || at != end) {
-    throw CLI::ValidationError(option, "found \"" + text + "\", allowed: " + form);
-  }
-  return numbers;
-}
 
 void add_output_options(CLI::App& command, Options& options) {
   command
@@ -65,19 +44,12 @@ void add_scene_options(CLI::App& command, Options& options,
   command.add_option("--spp", overrides.spp, "Samples per pixel")->check(integer_check(1, kMaxSpp));
   command.add_option("--seed", overrides.seed, "Seed of the random numbers")
       ->check(integer_check(0, std::numeric_limits<std::uint32_t>::max()));
-  command
-      .add_option_function<std::string>(
-          "--size",
-          [&overrides](const std::string& text) {
-            const auto size = split_integers(text, 'x', 2, "--size", "WIDTHxHEIGHT as 640x480");
-            for (const int side : size) {
-              if (side >= 1 && side <= kMaxFilmSide) continue;
-              throw CLI::ValidationError("--size", "found \"" + text + "\", allowed: 1 to 65536");
-            }
-            overrides.width = size[0], overrides.height = size[1];
-          },
-          "Image size in pixels")
-      ->type_name("WxH");
+  add_size_option(
+      command,
+      [&overrides](PictureSize size) {
+        overrides.width = size.width, overrides.height = size.height;
+      },
+      1, kMaxFilmSide, "Image size in pixels");
   command
       .add_option_function<std::string>(
           "--crop",

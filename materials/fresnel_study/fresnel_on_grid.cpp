@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "materials/fresnel_study/fresnel_study.h"
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -108,7 +109,7 @@ LatticeIndex FresnelOnGrid::spread(const IndexTable& table,
                                    const std::vector<double>& wavelengths_nm) {
   WavelengthRange range{wavelengths_nm.front(), wavelengths_nm.back()};
   require_coverage(table, range, RangePolicy::kError);
-  if (table.range().covers(kVisible)) {
+  if (is_covered(table.range(), kVisible)) {
     range.min_nm = std::min(range.min_nm, kVisible.min_nm);
     range.max_nm = std::max(range.max_nm, kVisible.max_nm);
   }

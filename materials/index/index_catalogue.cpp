@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "materials/index/index_folder.h"
@@ -79,16 +80,22 @@ class Library {
     throw InputError(unknown(name));
   }
 
-  std::vector<TitledName> titled_names() const {
+  // Listed tables; with `ids` the catalogues' further names of them too.
+  std::vector<TitledName> titled_names(bool ids = false) const {
     std::map<std::string, std::string> title_of_book;
+    std::set<std::string> all;
+    for (const IndexTableEntry& entry : list(true)) all.insert(entry.name);
     for (const IndexFolder& folder : folders_) {
       const auto& books = folder.catalogue_file().books;
       title_of_book.insert(books.begin(), books.end());
+      for (const std::string& id : folder.catalogue_ids()) {
+        if (ids) all.insert(id);
+      }
     }
     std::vector<TitledName> names;
-    for (const IndexTableEntry& entry : list(true)) {
-      const auto title = title_of_book.find(entry.name.substr(0, entry.name.rfind('/')));
-      names.push_back({entry.name, title == title_of_book.end() ? "" : title->second});
+    for (const std::string& name : all) {
+      const auto title = title_of_book.find(name.substr(0, name.rfind('/')));
+      names.push_back({name, title == title_of_book.end() ? "" : title->second});
     }
     return names;
   }
@@ -117,17 +124,12 @@ class Library {
   }
 
   std::string unknown(const std::string& name) const {
-    std::vector<std::string> names;
-    for (const IndexTableEntry& entry : list(true)) names.push_back(entry.name);
     std::string looked;
-    for (const IndexFolder& folder : folders_) {
-      const auto& ids = folder.catalogue_ids();
-      names.insert(names.end(), ids.begin(), ids.end());
+    for (const IndexFolder& folder : folders_)
       looked += (looked.empty() ? "" : ", ") + folder.path().string();
-    }
-    const std::string near = nearest_full_name(name, names);
-    return "unknown index table \"" + name + "\"" +
-           (near.empty() ? "." : "; did you mean \"" + near + "\"?") + " Looked in " + looked +
+    const std::string hint = name_hint(name, titled_names(true));
+    return "unknown index table \"" + name + "\"" + (hint.empty() ? "." : "; " + hint) +
+           " Looked in " + looked +
            "; \"karat nk list\" shows what there is, KARAT_NK_PATH adds folders." +
            missing_folders();
   }

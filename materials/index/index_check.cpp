@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -98,7 +99,7 @@ IndexCheck check_visible_rows(const IndexTable& table) {
   const std::string what =
       tabulated ? fmt::format("{} rows in 380 to 780 nm", rows) : "a formula, without rows";
   if (tabulated) check.figures["rows"] = static_cast<double>(rows);
-  if (range.covers(kVisible)) {
+  if (is_covered(range, kVisible)) {
     check.text = what + ", covered whole";
   } else {
     check.verdict = Verdict::kDoubtful;

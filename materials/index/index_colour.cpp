@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "materials/fresnel.h"
+#include "materials/index/index_coverage.h"
 #include "spectral/illuminant.h"
 #include "spectral/observer.h"
 #include "spectral/support/error.h"
@@ -27,6 +30,11 @@ ComplexIndex physical_index(const IndexTable& table, double nm) {
                   table.provenance().name, index.n, index.k, nm));
 }
 
+// All of the visible, although a table that is_covered may lack a hundredth of a nanometre of it.
+WavelengthRange summed(WavelengthRange range) {
+  return {std::min(range.min_nm, kVisible.min_nm), std::max(range.max_nm, kVisible.max_nm)};
+}
+
 }  // namespace
 
 double normal_reflectance(ComplexIndex index) {
@@ -36,9 +44,9 @@ double normal_reflectance(ComplexIndex index) {
 }
 
 std::optional<Xyz> normal_colour(const IndexTable& table) {
-  if (!table.range().covers(kVisible)) return std::nullopt;
+  if (!is_covered(table.range(), kVisible)) return std::nullopt;
   const auto reflectance = [&](double nm) { return normal_reflectance(table.at(nm)); };
-  return xyz_of_reflectance(reflectance, *illuminant("D65"), observer(), table.range());
+  return xyz_of_reflectance(reflectance, *illuminant("D65"), observer(), summed(table.range()));
 }
 
 IndexColour index_colour(const IndexTable& table, const ColourConditions& conditions) {
@@ -46,7 +54,7 @@ IndexColour index_colour(const IndexTable& table, const ColourConditions& condit
   if (held && conditions.range == RangePolicy::kError) {
     throw InputError(
         fmt::format("index table \"{}\" covers {:.7g} to {:.7g} nm, but a colour needs "
-                    "{:g} to {:g} nm; extrapolate by \"clamp\" to hold its end values",
+                    "{:g} to {:g} nm",
                     table.provenance().name, table.range().min_nm, table.range().max_nm,
                     kVisible.min_nm, kVisible.max_nm));
   }
@@ -54,7 +62,7 @@ IndexColour index_colour(const IndexTable& table, const ColourConditions& condit
   const auto reflectance = [&](double nm) {
     return model.evaluate(physical_index(table, nm), conditions.cos_theta).unpolarised;
   };
-  return reflectance_colour(reflectance, conditions, held ? kWholeObserver : table.range());
+  return reflectance_colour(reflectance, conditions, held ? kWholeObserver : summed(table.range()));
 }
 
 IndexColour reflectance_colour(const WavelengthFunction& reflectance,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <map>
+#include <iterator>
 #include <string_view>
 
 #include "spectral/support/error.h"
@@ -38,9 +38,11 @@ bool has_parts(std::string_view name, std::string_view typed, bool begun) {
          whole.end();
 }
 
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
-bool has_words(std::string_view title, std::string_view words) {
+// With `hyphens` "gold" is no word of "gold-silver alloy".
+bool has_words(std::string_view title, std::string_view words, bool hyphens = false) {
+  const auto is_letter = [hyphens](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || (hyphens && c == '-');
+  };
   for (std::size_t at = title.find(words); at != std::string_view::npos;
        at = title.find(words, at + 1)) {
     const std::size_t end = at + words.size();
@@ -48,6 +50,68 @@ bool has_words(std::string_view title, std::string_view words) {
       return true;
   }
   return false;
+}
+
+struct PageOfBook {
+  std::string_view book, page;
+};
+
+// "main/Au/nk/Johnson.yml" and "main/Au/Johnson" alike: book "main/Au", page "Johnson".
+PageOfBook page_of_book(std::string_view name) {
+  if (name.ends_with(".yml")) name.remove_suffix(4);
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string_view::npos) return {"", name};
+  PageOfBook parts{name.substr(0, slash), name.substr(slash + 1)};
+  if (parts.book.ends_with("/nk")) parts.book.remove_suffix(3);
+  return parts;
+}
+
+// "main/Au" and "Au" name the book main/Au, "main" does not.
+bool names_book(std::string_view typed, std::string_view book) {
+  if (typed.empty() || !book.ends_with(typed)) return false;
+  return book.size() == typed.size() || book[book.size() - typed.size() - 1] == '/';
+}
+
+// The tables of the book `typed`: by its letters, then in either case, then by its title ("gold"),
+// then by its last part alone, for a slip in the shelf.
+std::vector<TitledName> tables_of_book(std::string_view typed,
+                                       const std::vector<TitledName>& known) {
+  const std::string small = lower(std::string(typed));
+  const auto filtered = [&](const std::function<bool(const TitledName&)>& accept) {
+    std::vector<TitledName> tables;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(tables), accept);
+    return tables;
+  };
+  auto found =
+      filtered([&](const TitledName& t) { return names_book(typed, page_of_book(t.name).book); });
+  if (!found.empty()) return found;
+  found = filtered([&](const TitledName& t) {
+    return names_book(small, lower(std::string(page_of_book(t.name).book)));
+  });
+  if (!found.empty()) return found;
+  const std::size_t slash = typed.rfind('/');
+  if (slash != std::string_view::npos) return tables_of_book(typed.substr(slash + 1), known);
+  return filtered([&](const TitledName& t) {
+    return !small.empty() && has_words(lower(t.title), small, true);
+  });
+}
+
+// Where no part fits: the nearest page of the book that was typed, or else all its pages; of a page
+// without its book, all tables that are called so.
+std::vector<std::string> names_near(const std::string& typed,
+                                    const std::vector<TitledName>& known) {
+  constexpr std::size_t kShortestMended = 4;  // "Ru" is no slip for "Au"
+  const PageOfBook wanted = page_of_book(typed);
+  if (wanted.book.empty() && wanted.page.size() < kShortestMended) return {};
+  const std::vector<TitledName> pool =
+      wanted.book.empty() ? known : tables_of_book(wanted.book, known);
+  std::vector<std::string> pages, names;
+  for (const TitledName& table : pool) pages.emplace_back(page_of_book(table.name).page);
+  const std::string near = nearest_name(std::string(wanted.page), pages);
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    if (near.empty() ? !wanted.book.empty() : pages[i] == near) names.push_back(pool[i].name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -78,21 +142,17 @@ MatchingNames matching_names(const std::string& typed, const std::vector<TitledN
   return {};
 }
 
-std::string nearest_full_name(const std::string& typed, const std::vector<std::string>& known) {
-  if (std::string near = nearest_name(typed, known); !near.empty()) return near;
-  const auto slashes = std::count(typed.begin(), typed.end(), '/');
-  std::map<std::string, std::string> name_of_tail;
-  std::vector<std::string> tails;
-  for (const std::string& name : known) {
-    std::size_t start = name.size();
-    for (auto i = slashes; i >= 0 && start != std::string::npos && start > 0; --i)
-      start = name.rfind('/', start - 1);
-    if (start == std::string::npos || start == 0) continue;
-    tails.push_back(name.substr(start + 1));
-    name_of_tail.emplace(tails.back(), name);
-  }
-  const std::string near = nearest_name(typed, tails);
-  return near.empty() ? "" : name_of_tail.at(near);
+std::string name_hint(const std::string& typed, const std::vector<TitledName>& known) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> names = matching_names(typed, known).names;
+  if (names.empty()) names = names_near(typed, known);
+  if (names.empty()) return "";
+  if (names.size() == 1) return "did you mean \"" + names.front() + "\"?";
+  const std::size_t named = std::min(names.size(), kMostNamed);
+  std::string text = "did you mean one of " + names.front();
+  for (std::size_t i = 1; i < named; ++i) text += ", " + names[i];
+  if (names.size() > named) text += " and " + std::to_string(names.size() - named) + " more";
+  return text + "?";
 }
 
 }  // namespace karat

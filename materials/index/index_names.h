@@ -29,8 +29,10 @@ struct MatchingNames {
 // The names that `typed` means by the first kind of match, in the order above, that gives any.
 MatchingNames matching_names(const std::string& typed, const std::vector<TitledName>& known);
 
-// The name in `known` that is nearest to what was typed, whole or in its last parts: for
-// "Au/Jonson" "main/Au/Johnson". "" where none is near.
-std::string nearest_full_name(const std::string& typed, const std::vector<std::string>& known);
+// What to say of a name that no table has, by the same rules: `did you mean "main/Au/Johnson"?`, or
+// `did you mean one of main/C/Peter, main/C/Phillip?` (a few, then a count). Where nothing matches,
+// the pages of the book that was typed; a slip in a page is mended within its book alone, because
+// the table of another metal is no answer. "" where there is nothing to say.
+std::string name_hint(const std::string& typed, const std::vector<TitledName>& known);
 
 }  // namespace karat

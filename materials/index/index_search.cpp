@@ -1,11 +1,14 @@
 #include "materials/index/index_search.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 
+#include "materials/index/index_coverage.h"
 #include "materials/index/index_path.h"
 #include "materials/index/index_search_folder.h"
 #include "spectral/support/error.h"
@@ -40,6 +43,46 @@ void with_database(const std::string& folder, std::string& problem,
   use(rebuilt(folder, fingerprint, problem));
 }
 
+std::multiset<std::string> letter_pairs(const std::string& word) {
+  std::multiset<std::string> pairs;
+  for (std::size_t i = 0; i + 1 < word.size(); ++i) pairs.insert(word.substr(i, 2));
+  return pairs;
+}
+
+// Whether one word may be a slip for the other: half of their pairs of letters are the same (Dice
+// 1945), or all letters in another order. "white" is none for "with".
+bool are_alike(const std::string& typed, const std::string& word) {
+  const auto letters = [](std::string text) {
+    std::sort(text.begin(), text.end());
+    return text;
+  };
+  if (letters(typed) == letters(word)) return true;
+  const auto a = letter_pairs(typed), b = letter_pairs(word);
+  std::vector<std::string> shared;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+  return 4 * shared.size() >= a.size() + b.size();
+}
+
+// Words of which references are full, and which nobody looks for.
+bool is_stop_word(const std::string& word) {
+  static const std::set<std::string> words{
+      "after", "also", "and",  "are",   "been",  "between", "both",  "from", "have", "into",
+      "only",  "that", "than", "their", "then",  "these",   "the",   "this", "for",  "used",
+      "using", "was",  "were", "when",  "where", "which",   "while", "with"};
+  return words.count(word) > 0;
+}
+
+std::string nearest_word(std::string typed, const std::vector<std::string>& words) {
+  constexpr std::size_t kShortest = 3;
+  for (char& c : typed) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::vector<std::string> candidates;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(candidates),
+               [&](const std::string& word) {
+                 return word.size() >= kShortest && !is_stop_word(word) && are_alike(typed, word);
+               });
+  return nearest_name(typed, candidates);
+}
+
 // Why nothing was found: the first word that no table has, and its neighbour.
 void explain(const std::vector<std::string>& words, const std::vector<std::string>& folders,
              IndexSearchResult& result) {
@@ -57,13 +100,13 @@ void explain(const std::vector<std::string>& words, const std::vector<std::strin
   for (const std::string& word : words) {
     if (known.count(word) > 0) continue;
     result.unknown_word = word;
-    result.nearest_word = nearest_name(word, others);
+    result.nearest_word = nearest_word(word, others);
     return;
   }
 }
 
 bool is_usual(const IndexSearchHit& hit) {
-  return hit.facts.kind == "nk" && hit.facts.range.covers(kVisible);
+  return hit.facts.kind == "nk" && is_covered(hit.facts.range, kVisible);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <unordered_map>
 
+#include "materials/index/index_coverage.h"
 #include "materials/index/index_search_folder.h"
 
 namespace karat {
@@ -82,10 +83,8 @@ double whole_name_bonus(const std::string& names, const std::vector<std::string>
 }
 
 bool fits(const IndexFacts& facts, const IndexSearchQuery& query) {
-  constexpr double kRounding = 1e-12;  // of micrometres to nanometres
   return (query.kind.empty() || facts.kind == query.kind) && (!query.metal || facts.metal) &&
-         (!query.covers || facts.range.covers({query.covers->min_nm * (1.0 + kRounding),
-                                               query.covers->max_nm * (1.0 - kRounding)}));
+         (!query.covers || is_covered(facts.range, *query.covers));
 }
 
 }  // namespace

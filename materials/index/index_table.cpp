@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
 namespace karat {
@@ -47,11 +48,8 @@ std::string text_of(WavelengthRange range) {
   return fmt::format("{:.7g} to {:.7g} nm", range.min_nm, range.max_nm);
 }
 
-// Files state micrometres in decimal: 0.5876 um is 587.6 nm only up to rounding.
-bool covers_up_to_rounding(WavelengthRange range, WavelengthRange needed) {
-  constexpr double kRounding = 1e-12;
-  return range.covers({needed.min_nm * (1 + kRounding), needed.max_nm * (1 - kRounding)});
-}
+// A hundredth of a nanometre, less for X-rays; at least the rounding of 0.5876 um to nanometres.
+double end_tolerance_nm(double nm) { return std::max(std::min(0.01, 1e-4 * nm), 1e-12 * nm); }
 
 // A negative k would amplify light, a negative n bend it backwards: no reflection model here holds
 // for either, and replacing the value would hide that the data are wrong.
@@ -103,17 +101,20 @@ LatticeIndex on_lattice(const IndexTable& table, const WavelengthLattice& lattic
   return result;
 }
 
+bool is_covered(WavelengthRange measured, WavelengthRange needed) {
+  return measured.covers({needed.min_nm + end_tolerance_nm(needed.min_nm),
+                          needed.max_nm - end_tolerance_nm(needed.max_nm)});
+}
+
 std::string require_coverage(const IndexTable& table, WavelengthRange needed, RangePolicy policy) {
-  if (covers_up_to_rounding(table.range(), needed)) return "";
+  if (is_covered(table.range(), needed)) return "";
   const std::string gap =
       fmt::format("index table \"{}\" covers {}, but {} are asked for", table.provenance().name,
                   text_of(table.range()), text_of(needed));
   if (policy == RangePolicy::kClamp) {
     return gap + ": its end values are held (\"extrapolate\": \"clamp\")";
   }
-  throw InputError(gap +
-                   "; choose another table or other wavelengths, or say \"extrapolate\": \"clamp\" "
-                   "to hold its end values");
+  throw InputError(gap);
 }
 
 }  // namespace karat

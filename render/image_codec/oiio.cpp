@@ -15,6 +15,7 @@ Image header_of(const OIIO::ImageSpec& spec) {
   image.channels = spec.channelnames;
   image.x = spec.x - spec.full_x, image.y = spec.y - spec.full_y;
   image.full_width = spec.full_width, image.full_height = spec.full_height;
+  image.from_integers = !spec.format.is_floating_point();
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();
     if (attribute.type() == OIIO::TypeFloat) {

@@ -4,6 +4,7 @@
 // middle, as a camera sees it that looks along +y. Texels are interpolated bilinearly. Directions
 // are drawn in proportion to the mean luminance of each texel's cell, a hundredth of them evenly
 // over the sphere.
+#include <cctype>
 #include <cmath>
 
 #include "render/area_light.h"
@@ -11,35 +12,36 @@
 #include "render/light.h"
 #include "render/lights/direction_grid.h"
 #include "render/lights/rgb_emission.h"
+#include "spectral/colour.h"
 #include "spectral/support/error.h"
 
 namespace karat {
 namespace {
 
-struct Rgb {
+struct Texel {
   float r = 0.0f, g = 0.0f, b = 0.0f;
 };
-Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-Rgb operator*(Rgb a, float s) { return {a.r * s, a.g * s, a.b * s}; }
-float luminance(Rgb c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+Texel operator+(Texel a, Texel b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+Texel operator*(Texel a, float s) { return {a.r * s, a.g * s, a.b * s}; }
+float luminance(Texel c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 
 // Texels by (column, row); columns wrap, rows end at the poles.
 class Panorama {
  public:
-  Panorama(int width, int height, std::vector<Rgb> texels)
+  Panorama(int width, int height, std::vector<Texel> texels)
       : width_(width), height_(height), texels_(std::move(texels)) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  Rgb texel(int x, int y) const {
+  Texel texel(int x, int y) const {
     x = x < 0 ? x + width_ : x >= width_ ? x - width_ : x;
     y = std::min(std::max(y, 0), height_ - 1);
     return texels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                    static_cast<std::size_t>(x)];
   }
 
-  Rgb bilinear(Vec2 at) const {
+  Texel bilinear(Vec2 at) const {
     const float x = at.x * static_cast<float>(width_) - 0.5f;
     const float y = at.y * static_cast<float>(height_) - 0.5f;
     const float x0 = std::floor(x), y0 = std::floor(y);
@@ -50,10 +52,10 @@ class Panorama {
   }
 
   // The mean of bilinear() over a texel's cell.
-  Rgb cell_mean(int x, int y) const {
-    Rgb mean;
+  Texel cell_mean(int x, int y) const {
+    Texel mean;
     for (int j = -1; j <= 1; ++j) {
-      const Rgb row =
+      const Texel row =
           texel(x - 1, y + j) * 0.125f + texel(x, y + j) * 0.75f + texel(x + 1, y + j) * 0.125f;
       mean = mean + row * (j == 0 ? 0.75f : 0.125f);
     }
@@ -62,7 +64,7 @@ class Panorama {
 
  private:
   int width_, height_;
-  std::vector<Rgb> texels_;
+  std::vector<Texel> texels_;
 };
 
 class ImageEnvironment final : public Light {
@@ -79,7 +81,7 @@ class ImageEnvironment final : public Light {
       const double share =
           std::sin(double{kPi} * (y + 0.5) / height) * std::sin(0.5 * double{kPi} / height) / width;
       for (int x = 0; x < width; ++x) {
-        const Rgb c = panorama_.cell_mean(x, y);
+        const Texel c = panorama_.cell_mean(x, y);
         weights.push_back(luminance(c));
         sums[0] += share * c.r, sums[1] += share * c.g, sums[2] += share * c.b;
       }
@@ -113,7 +115,7 @@ class ImageEnvironment final : public Light {
 
  private:
   SampledSpectrum seen(Vec3 local, int phase) const {
-    const Rgb c = panorama_.bilinear(latlong(local));
+    const Texel c = panorama_.bilinear(latlong(local));
     return emission_(c.r, c.g, c.b, phase);
   }
 
@@ -136,18 +138,44 @@ std::size_t channel_index(const Image& image, const std::string& file, const cha
                        found);
 }
 
+// Pictures of integers hold values encoded for a display; radiance must be linear again.
+bool is_encoded(const Image& image) {
+  if (!image.from_integers) return false;
+  const auto space = image.attributes.find("oiio:ColorSpace");
+  std::string name = space == image.attributes.end() ? "" : space->second;
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name != "linear";
+}
+
+// What can be rendered, but is probably not what was meant.
+void add_warnings(const Image& image, const std::string& file, std::vector<std::string>& warnings) {
+  if (is_encoded(image)) {
+    warnings.push_back(file +
+                       ": a picture of 8 or 16 bits, decoded from sRGB; its lights end at 1, so "
+                       "lamps and the sun are too dim: an EXR or HDR image holds them");
+  }
+  if (image.width != 2 * image.height) {
+    warnings.push_back(file + ": " + std::to_string(image.width) + " x " +
+                       std::to_string(image.height) +
+                       " pixels, but a latitude-longitude image is twice as wide as high: the sky "
+                       "is stretched");
+  }
+}
+
 Panorama read_panorama(const std::string& file, float scale, std::vector<std::string>* warnings) {
   const Image image = read_image(file);
   const std::size_t channels[3] = {channel_index(image, file, "R"), channel_index(image, file, "G"),
                                    channel_index(image, file, "B")};
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t count = width * static_cast<std::size_t>(image.height);
-  std::vector<Rgb> texels(count);
+  const bool encoded = is_encoded(image);
+  std::vector<Texel> texels(count);
   std::size_t negative = 0;
   for (std::size_t i = 0; i < count; ++i) {
     float value[3];
     for (int c = 0; c < 3; ++c) {
-      value[c] = scale * image.values[i * image.channels.size() + channels[c]];
+      const float stored = image.values[i * image.channels.size() + channels[c]];
+      value[c] = scale * (encoded ? static_cast<float>(srgb_decode(double{stored})) : stored);
       if (!std::isfinite(value[c])) {
         throw InputError(
             file, "texel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + ")",
@@ -158,6 +186,7 @@ Panorama read_panorama(const std::string& file, float scale, std::vector<std::st
     }
     texels[i] = {value[0], value[1], value[2]};
   }
+  if (warnings) add_warnings(image, file, *warnings);
   if (negative > 0 && warnings) {
     warnings->push_back(file + ": " + std::to_string(negative) +
                         " negative values (colours outside Rec.709) count as 0");
@@ -182,8 +211,9 @@ class ImageType final : public LightType {
     return {
         {.name = "file",
          .type = ParameterType::kPath,
-         .description = "Scene-linear Rec.709 RGB image (EXR, HDR); 1 is a radiance as bright as "
-                        "1 W m^-2 sr^-1 nm^-1 at every wavelength.",
+         .description = "Scene-linear Rec.709 RGB image (EXR, HDR), twice as wide as high; 1 is a "
+                        "radiance as bright as 1 W m^-2 sr^-1 nm^-1 at every wavelength. PNG and "
+                        "JPEG are decoded from sRGB, with a warning.",
          .required = true},
         {.name = "scale",
          .description = "Factor on all values.",

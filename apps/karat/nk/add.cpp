@@ -15,6 +15,7 @@
 #include "materials/index/import/format.h"
 #include "materials/index/import/header.h"
 #include "materials/index/index_colour.h"
+#include "materials/index/index_coverage.h"
 #include "materials/index/index_import.h"
 #include "materials/index/index_path.h"
 #include "materials/index/index_table_file.h"
@@ -85,7 +86,7 @@ json facts_of(const Options& options, const IndexImport& import, const IndexTabl
                 {"rows_visible", import.visible_rows},
                 {"reference", table.provenance().reference},
                 {"range_nm", {table.range().min_nm, table.range().max_nm}},
-                {"covers_visible", table.range().covers(kVisible)},
+                {"covers_visible", is_covered(table.range(), kVisible)},
                 {"has_k", table.has_k()},
                 {"n", range_json(import.n)},
                 {"k", range_json(import.k)},

@@ -9,8 +9,10 @@
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/nk/colour_options.h"
+#include "apps/karat/nk/index_argument.h"
 #include "apps/karat/swatch.h"
-#include "materials/index/index_catalogue.h"
+#include "materials/index/index_coverage.h"
+#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -23,13 +25,25 @@ struct Options {
   bool as_json = false;
 };
 
+// A made or measured table's colour; what leaves its range says how to hold its ends.
+IndexColour colour_of(const IndexTable& table, const ColourOptions& options) {
+  if (options.clamp || is_covered(table.range(), kVisible)) {
+    return index_colour(table, options.conditions());
+  }
+  try {
+    return index_colour(table, options.conditions());
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + "; --extrapolate clamp holds its end values");
+  }
+}
+
 json row_of(const std::string& typed, const Options& options) {
-  const IndexTablePtr table = find_index_table(full_index_name(typed));
+  const IndexTablePtr table = index_of_argument(typed);
   json row = {{"name", table->provenance().name},
               {"file", table->provenance().file},
               {"range_nm", {table->range().min_nm, table->range().max_nm}},
-              {"covers_visible", table->range().covers(kVisible)}};
-  row.update(colour_json(index_colour(*table, options.colour.conditions()), options.colour));
+              {"covers_visible", is_covered(table->range(), kVisible)}};
+  row.update(colour_json(colour_of(*table, options.colour), options.colour));
   return row;
 }
 
@@ -73,8 +87,7 @@ class NkColour final : public Command {
     const auto options = std::make_shared<Options>();
     CLI::App* colour = nk.add_subcommand("colour", "Colours of tables under a light, at an angle");
     colour->alias("color");
-    colour->add_option("page", options->names, "main/Au/Johnson, short Au/Johnson, or a file")
-        ->required();
+    colour->add_option("page", options->names, index_argument_help())->required();
     add_colour_options(*colour, options->colour);
     colour->add_flag("--json", options->as_json,
                      "Machine-readable output: XYZ, Lab, linear_srgb, srgb; one object for one "

@@ -10,6 +10,7 @@
 #include "apps/karat/json_output.h"
 #include "apps/karat/nk/colour_options.h"
 #include "apps/karat/nk/compare_picture.h"
+#include "apps/karat/nk/index_argument.h"
 #include "apps/karat/number_list.h"
 #include "apps/karat/picture_check.h"
 #include "apps/karat/swatch.h"
@@ -40,6 +41,10 @@ std::vector<IndexTablePtr> tables_of(const std::vector<std::string>& materials) 
   std::vector<IndexTablePtr> tables;
   std::set<std::string> seen;
   for (const std::string& material : materials) {
+    if (is_made_index(material)) {
+      if (seen.insert(material).second) tables.push_back(index_of_argument(material));
+      continue;
+    }
     for (const std::string& name : matching_index_names(material)) {
       if (!seen.insert(name).second) continue;
       try {
@@ -67,7 +72,7 @@ json table_json(const ComparedTable& compared, const Options& options) {
   json row = {{"name", table.provenance().name},
               {"file", table.provenance().file},
               {"range_nm", {table.range().min_nm, table.range().max_nm}},
-              {"covers_visible", table.range().covers(kVisible)},
+              {"covers_visible", is_covered(table.range(), kVisible)},
               {"has_k", table.has_k()},
               {"f0", f0_json(table, options.wavelengths_nm)},
               {"problem", compared.problem}};
@@ -212,7 +217,7 @@ void write_picture(const IndexComparison& comparison, const Options& options) {
         swatch.lines.back() +=
             fmt::format(", \u0394E {:.1f}", *comparison.difference(i, summary->typical));
     }
-    if (!compared.table->range().covers(kVisible))
+    if (!is_covered(compared.table->range(), kVisible))
       swatch.lines.push_back((compared.colour ? "measured " : "") +
                              range_text(compared.table->range()));
     swatches.push_back(std::move(swatch));
@@ -250,7 +255,7 @@ class NkCompare final : public Command {
     CLI::App* compare = nk.add_subcommand("compare", "All tables of a material side by side");
     compare
         ->add_option("material", options->materials,
-                     "Au, main/Au, gold, Au/Olmon, Johnson, or names of single tables")
+                     "Au, main/Au, gold, Au/Olmon, Johnson, names of single tables, alloy:NAME")
         ->required();
     add_number_list(*compare, "--nm", options->wavelengths_nm,
                     "Wavelengths of the reflectances F0, in nm (450,550,650)", 1e-3, 1e15);

@@ -7,8 +7,8 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
+#include "apps/karat/nk/index_argument.h"
 #include "apps/karat/number_list.h"
-#include "materials/index/index_catalogue.h"
 #include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
 
@@ -30,8 +30,9 @@ std::vector<ComplexIndex> values_of(const IndexTable& table, const std::vector<d
     if (!covers_wavelength(table, nm)) {
       throw InputError(
           fmt::format("index table \"{}\" covers {:.9g} to {:.9g} nm; {:.9g} nm is "
-                      "outside, where nobody measured",
-                      table.provenance().name, table.range().min_nm, table.range().max_nm, nm));
+                      "outside, where nobody measured{}",
+                      table.provenance().name, table.range().min_nm, table.range().max_nm, nm,
+                      unit_hint("--nm", {nm, nm}, table.range())));
     }
     values.push_back(table.at(nm));
   }
@@ -65,7 +66,7 @@ void print_csv(const IndexTable& table, const std::vector<double>& wavelengths_n
 }
 
 int run_eval(const Options& options) {
-  const IndexTablePtr table = find_index_table(full_index_name(options.name));
+  const IndexTablePtr table = index_of_argument(options.name);
   const auto values = values_of(*table, options.wavelengths_nm);
   if (options.as_json) {
     print_json(values_json(*table, options.wavelengths_nm, values));
@@ -80,8 +81,7 @@ class NkEval final : public Command {
   void add_to(CLI::App& nk, std::function<int()>& action) const override {
     const auto options = std::make_shared<Options>();
     CLI::App* eval = nk.add_subcommand("eval", "n and k of one table at given wavelengths, as CSV");
-    eval->add_option("page", options->name, "main/Au/Johnson, short Au/Johnson, or a file")
-        ->required();
+    eval->add_option("page", options->name, index_argument_help())->required();
     add_number_list(*eval, "--nm", options->wavelengths_nm,
                     "Wavelengths in nm: 400,550:600:10 is 400, 550, 560, ..., 600", 1e-3, 1e15)
         ->required();

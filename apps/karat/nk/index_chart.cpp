@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/karat/nk/index_argument.h"
 #include "apps/karat/nk/index_curves.h"
 #include "spectral/support/error.h"
 
@@ -75,8 +76,9 @@ std::vector<Curve> curves_of(const std::vector<IndexTablePtr>& tables, const Vie
   const bool empty = std::all_of(curves.begin(), curves.end(),
                                  [](const Curve& curve) { return curve.values.nm.empty(); });
   if (empty) {
-    throw InputError(fmt::format("nothing is known from {:.7g} to {:.7g} nm; the tables cover: {}",
-                                 view.range.min_nm, view.range.max_nm, ranges));
+    throw InputError(fmt::format(
+        "nothing is known from {:.7g} to {:.7g} nm; the tables cover: {}{}", view.range.min_nm,
+        view.range.max_nm, ranges, unit_hint("--nm", view.range, tables.front()->range())));
   }
   return curves;
 }
@@ -220,7 +222,7 @@ std::string range_text(WavelengthRange range) {
 
 std::string rows_text(const IndexTable& table, const Curve& curve) {
   const std::size_t rows = std::max(curve.values.n_rows.size(), curve.values.k_rows.size());
-  if (rows == 0) return "dispersion formula";
+  if (rows == 0) return table.provenance().file.empty() ? "calculated" : "dispersion formula";
   std::string text = fmt::format("{} measured rows", rows);
   const std::size_t shown = thinned(curve.values.n_rows).size();
   if (shown < curve.values.n_rows.size()) text += fmt::format(" ({} marked)", shown);

@@ -8,6 +8,7 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
+#include "materials/index/index_coverage.h"
 #include "materials/index/index_search.h"
 #include "spectral/support/error.h"
 
@@ -45,7 +46,7 @@ json hit_json(const IndexSearchHit& hit) {
           {"samples", facts.samples},
           {"range_nm", {facts.range.min_nm, facts.range.max_nm}},
           {"metal", facts.metal},
-          {"covers_visible", facts.range.covers(kVisible)},
+          {"covers_visible", is_covered(facts.range, kVisible)},
           {"reference", facts.reference},
           {"problem", facts.problem},
           {"score", hit.score}};

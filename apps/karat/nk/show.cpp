@@ -7,9 +7,9 @@
 
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
+#include "apps/karat/nk/index_argument.h"
 #include "apps/karat/number_list.h"
 #include "apps/karat/swatch.h"
-#include "materials/index/index_catalogue.h"
 #include "materials/index/index_colour.h"
 #include "materials/index/index_coverage.h"
 #include "spectral/support/error.h"
@@ -61,7 +61,7 @@ json table_json(const IndexTable& table, const std::vector<double>& wavelengths_
                  {"conditions", source.conditions},
                  {"range_nm", {table.range().min_nm, table.range().max_nm}},
                  {"has_k", table.has_k()},
-                 {"covers_visible", table.range().covers(kVisible)},
+                 {"covers_visible", is_covered(table.range(), kVisible)},
                  {"values", json::array()},
                  {"f0_xyz", nullptr},
                  {"f0_linear_srgb", nullptr},
@@ -106,7 +106,7 @@ void print_table(const json& table) {
 }
 
 int run_show(const Options& options) {
-  const IndexTablePtr table = find_index_table(full_index_name(options.name));
+  const IndexTablePtr table = index_of_argument(options.name);
   const json facts =
       table_json(*table, options.wavelengths_nm.empty() ? usual_wavelengths(table->range())
                                                         : options.wavelengths_nm);
@@ -123,9 +123,7 @@ class NkShow final : public Command {
   void add_to(CLI::App& nk, std::function<int()>& action) const override {
     const auto options = std::make_shared<Options>();
     CLI::App* show = nk.add_subcommand("show", "Source, range, values and colour of one table");
-    show->add_option("name", options->name,
-                     "Id (main/Au/Johnson, short Au/Johnson), path below a folder, or file")
-        ->required();
+    show->add_option("name", options->name, index_argument_help())->required();
     add_number_list(*show, "--nm", options->wavelengths_nm,
                     "Wavelengths in nm: 400,550:600:10 is 400, 550, 560, ..., 600", 1e-3, 1e15);
     show->add_flag("--json", options->as_json, "Machine-readable output");
