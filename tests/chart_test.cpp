@@ -1,7 +1,5 @@
 #include "apps/karat/chart.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include "render/image_file.h"
 #include "spectral/colour.h"
 #include "spectral/support/error.h"
+#include "tests/temporary_folder.h"
 
 namespace karat {
 namespace {
@@ -20,12 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("karat_chart_test_" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
-};
+using Folder = test::TemporaryFolder;
 
 std::string bytes_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);

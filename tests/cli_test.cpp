@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
@@ -10,6 +8,7 @@
 #include "render/image_file.h"
 #include "tests/run_cli.h"
 #include "tests/scene_text.h"
+#include "tests/temporary_folder.h"
 
 namespace karat {
 namespace {
@@ -20,14 +19,8 @@ using test::karat_run;
 using test::Outcome;
 
 // A folder with a scene file in it.
-struct Workplace {
-  fs::path path = fs::temp_directory_path() / ("karat_cli_test_" + std::to_string(::getpid()));
-  Workplace() {
-    fs::create_directories(path);
-    std::ofstream(file("scene.json")) << small_scene().dump(1);
-  }
-  ~Workplace() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
+struct Workplace : test::TemporaryFolder {
+  Workplace() { std::ofstream(file("scene.json")) << small_scene().dump(1); }
 };
 
 std::string bytes_of(const std::string& path) {

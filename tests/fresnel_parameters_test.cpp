@@ -1,7 +1,5 @@
 // Free parameters of Fresnel models in scenes and on the command line, and a model that registers
 // itself while the program runs.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "materials/fresnel_choice.h"
 #include "tests/run_cli.h"
 #include "tests/scene_text.h"
+#include "tests/temporary_folder.h"
 
 using namespace karat;
 using Catch::Matchers::Contains;
@@ -21,12 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Workplace {
-  fs::path path = fs::temp_directory_path() / ("karat_fresnel_" + std::to_string(::getpid()));
-  Workplace() { fs::create_directories(path); }
-  ~Workplace() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
-};
+using Workplace = test::TemporaryFolder;
 
 nlohmann::json scene_with(const nlohmann::json& fresnel) {
   nlohmann::json scene = small_scene();

@@ -15,6 +15,7 @@
 #include "materials/fresnel.h"
 #include "materials/index/index_catalogue.h"
 #include "spectral/support/error.h"
+#include "tests/temporary_folder.h"
 
 using namespace karat;
 namespace fs = std::filesystem;
@@ -22,14 +23,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// A folder that vanishes with the test.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("karat-study-" + std::to_string(std::rand()));
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
+using Folder = test::TemporaryFolder;
 
 int run_study(const fs::path& folder, std::vector<std::string> more) {
   std::vector<std::string> arguments{"karat", "fresnel", "study",        "--progress",
@@ -251,13 +245,14 @@ TEST_CASE("a second study leaves nothing of the first one in its folder", "[fres
 
 TEST_CASE("a study refuses what it cannot mean", "[fresnel_report]") {
   const Folder folder;
-  CHECK(run_study(folder.path, {"--models", "exact,exact"}) == 2);
-  CHECK(run_study(folder.path, {"--models", "exact,schlik"}) == 2);
-  CHECK(run_study(folder.path, {"--nm", "780:380:5"}) == 2);
-  CHECK(run_study(folder.path, {"--angles", "0:91:1"}) == 2);
-  CHECK(run_study(folder.path, {"--nk", "main/Au/Johnson,Au/Johnson"}) == 3);
+  const fs::path study = folder.path / "study";
+  CHECK(run_study(study, {"--models", "exact,exact"}) == 2);
+  CHECK(run_study(study, {"--models", "exact,schlik"}) == 2);
+  CHECK(run_study(study, {"--nm", "780:380:5"}) == 2);
+  CHECK(run_study(study, {"--angles", "0:91:1"}) == 2);
+  CHECK(run_study(study, {"--nk", "main/Au/Johnson,Au/Johnson"}) == 3);
   CHECK(run_study("", {"--no-render"}) == 2);
-  CHECK_FALSE(fs::exists(folder.path));
+  CHECK_FALSE(fs::exists(study));
 }
 
 TEST_CASE("steps of a grid are read or refused with what is allowed", "[fresnel_report]") {

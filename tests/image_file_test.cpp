@@ -12,6 +12,7 @@
 #include "render/replace_file.h"
 #include "spectral/support/error.h"
 #include "tests/scene_text.h"
+#include "tests/temporary_folder.h"
 
 namespace karat {
 namespace {
@@ -19,13 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-// A folder that is gone again at the end of the test.
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("karat_image_test_" + std::to_string(::getpid()));
-  TemporaryFolder() { fs::create_directories(path); }
-  ~TemporaryFolder() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
-};
+using test::TemporaryFolder;
 
 Image gradient(int width, int height, std::vector<std::string> channels) {
   Image image;

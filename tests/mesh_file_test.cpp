@@ -6,28 +6,17 @@
 #include "default_parameters.h"
 #include "render/shape.h"
 #include "spectral/support/error.h"
+#include "tests/temporary_folder.h"
 
 using namespace karat;
 
 namespace {
 
-// A folder of its own for each test, removed at its end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "karat_mesh_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()));
-    path_ = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
+struct Folder : test::TemporaryFolder {
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return (path_ / name).string();
+    std::ofstream(path / name, std::ios::binary) << text;
+    return file(name);
   }
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
 };
 
 // A tetrahedron with corners at the origin and at 1 on each axis: volume 1/6, area 3/2 + sqrt(3)/2.
@@ -162,7 +151,7 @@ TEST_CASE("mesh errors say what is wrong where", "[mesh_file]") {
     return "";
   };
   using Catch::Contains;
-  CHECK_THAT(error_of(folder.path("none.obj")), Contains("none.obj") && Contains("no such file"));
+  CHECK_THAT(error_of(folder.file("none.obj")), Contains("none.obj") && Contains("no such file"));
   CHECK_THAT(error_of(folder.write("a.objj", kObj)),
              Contains(".objj") && Contains("did you mean \".obj\""));
   CHECK_THAT(error_of(folder.write("broken.gltf", "{\"asset\":")), Contains("cannot be read"));

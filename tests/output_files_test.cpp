@@ -1,7 +1,5 @@
 #include "apps/karat/output_files.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include "render/image_file.h"
 #include "tests/run_cli.h"
 #include "tests/scene_text.h"
+#include "tests/temporary_folder.h"
 
 namespace karat {
 namespace {
@@ -19,10 +18,8 @@ using test::karat_run;
 using test::Outcome;
 
 // A folder with a scene that reads a mesh, a spectrum, an index table and an image.
-struct Workplace {
-  fs::path path = fs::temp_directory_path() / ("karat_output_files_" + std::to_string(::getpid()));
+struct Workplace : test::TemporaryFolder {
   Workplace() {
-    fs::create_directories(path);
     std::ofstream(file("mesh.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::ofstream(file("paint.spd")) << "300 0.5\n900 0.5\n";
     std::ofstream(file("metal.yml")) << "DATA:\n  - type: tabulated nk\n    data: |\n"
@@ -39,8 +36,6 @@ struct Workplace {
     scene["lights"] = {{{"type", "image"}, {"file", "sky.exr"}}};
     std::ofstream(file("scene.json")) << scene.dump(1);
   }
-  ~Workplace() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
   std::string bytes(const std::string& name) const {
     std::ifstream stream(file(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
