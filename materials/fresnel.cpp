@@ -4,7 +4,15 @@
 
 #include <cmath>
 
+#include "spectral/support/error.h"
+
 namespace karat {
+
+const FresnelModel& fresnel_model(const std::string& name) {
+  const auto& models = Registry<FresnelModel>::instance();
+  if (const FresnelModel* model = models.find(name)) return *model;
+  throw InputError(unknown_name_message("Fresnel model", name, models.names()));
+}
 
 std::string parameter_error(const FresnelParameter& parameter, double value) {
   const bool in_range = value >= parameter.min && value <= parameter.max;  // false for a NaN

@@ -98,6 +98,9 @@ class FresnelModel {
   }
 };
 
+// The registered model. Throws InputError with the nearest name and the names there are.
+const FresnelModel& fresnel_model(const std::string& name);
+
 // The reflectance in [0, 1], so that no approximation creates light or takes more than there is.
 inline SampledSpectrum bounded_reflectance(const FresnelModel& model, const FresnelTables& tables,
                                            int phase, float cos_theta) {

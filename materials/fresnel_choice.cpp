@@ -11,13 +11,6 @@
 namespace karat {
 namespace {
 
-const FresnelModel& fresnel_model(const std::string& name) {
-  const auto& models = Registry<FresnelModel>::instance();
-  const FresnelModel* model = models.find(name);
-  if (!model) throw InputError(unknown_name_message("Fresnel model", name, models.names()));
-  return *model;
-}
-
 void require_known(const FresnelChoice& choice, const std::vector<FresnelParameter>& infos) {
   std::vector<std::string> known;
   for (const FresnelParameter& info : infos) known.push_back(info.name);

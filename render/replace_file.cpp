@@ -14,16 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path target_of(const std::string& path) {
-  constexpr int kMostLinks = 40;
-  std::error_code ignored;  // what is not there is no link
-  fs::path target = fs::absolute(path, ignored);
-  for (int i = 0; i < kMostLinks && fs::is_symlink(target, ignored); ++i) {
-    target = target.parent_path() / fs::read_symlink(target, ignored);
-  }
-  return target.empty() ? fs::path(path) : target;
-}
-
 fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
 }
@@ -47,10 +37,25 @@ void require_replaceable(const std::string& path, const fs::path& target) {
 
 }  // namespace
 
-std::string file_behind(const std::string& path) { return target_of(path).string(); }
+fs::path file_behind(const std::string& path) {
+  constexpr int kMostLinks = 40;
+  std::error_code ignored;  // what is not there is no link
+  fs::path target = fs::absolute(path, ignored);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, ignored); ++i) {
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  }
+  return target.empty() ? fs::path(path) : target;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(file_behind(a), error);
+  return !error && first == fs::weakly_canonical(file_behind(b), error) && !error;
+}
 
 void check_writable(const std::string& path) {
-  const fs::path target = target_of(path);
+  const fs::path target = file_behind(path);
   require_replaceable(path, target);
   // Permissions alone do not tell (read-only file systems, the superuser): try.
   const fs::path temporary = temporary_beside(target);
@@ -64,7 +69,7 @@ void check_writable(const std::string& path) {
 }
 
 void replace_file(const std::string& path, const std::function<void(const std::string&)>& write) {
-  const fs::path target = target_of(path);
+  const fs::path target = file_behind(path);
   require_replaceable(path, target);
   const fs::path temporary = temporary_beside(target);
   std::error_code error;

@@ -59,10 +59,6 @@ float to_unit(std::uint32_t x) {
   return static_cast<float>(static_cast<std::int32_t>(x >> 8)) * 0x1p-24f;
 }
 
-}  // namespace
-
-namespace {
-
 // Two neighbouring dimensions of a sample, of which the first is even. What of the sample's number
 // is the same for all dimensions and pixels comes prepared: hash(sample), reverse_bits(sample).
 inline void independent_pair(std::uint32_t pixel, std::uint32_t hashed_sample,

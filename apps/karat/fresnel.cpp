@@ -9,7 +9,8 @@ namespace {
 class FresnelCommand final : public Command {
  public:
   void add_to(CLI::App& app, std::function<int()>&) const override {
-    CLI::App* fresnel = app.add_subcommand("fresnel", "Fresnel models: evaluate, fit and compare them");
+    CLI::App* fresnel =
+        app.add_subcommand("fresnel", "Fresnel models: evaluate, fit and compare them");
     fresnel->require_subcommand(1);
     fresnel->footer("Example: karat fresnel study -o study");
   }

@@ -27,14 +27,6 @@ std::vector<OutputFile> output_files(const RenderCommandOptions& options) {
   return files;
 }
 
-// Also for files that are not there yet, and for other names (links) of files that are.
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  const fs::path first = fs::weakly_canonical(file_behind(a), error);
-  return !error && first == fs::weakly_canonical(file_behind(b), error) && !error;
-}
-
 void require_distinct(const std::vector<OutputFile>& files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::size_t j = i + 1; j < files.size(); ++j) {

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "materials/fresnel_study/fresnel_cost_empty.h"
-#include "spectral/support/error.h"
 
 namespace karat {
 namespace {
@@ -61,12 +60,6 @@ CostKernel single_kernel_of(const FresnelModel& model, const IndexTable& table) 
 std::vector<std::string> with_exact(std::vector<std::string> models) {
   if (std::find(models.begin(), models.end(), "exact") == models.end()) models.push_back("exact");
   return models;
-}
-
-const FresnelModel& model_named(const std::string& name) {
-  const auto& registry = Registry<FresnelModel>::instance();
-  if (const FresnelModel* model = registry.find(name)) return *model;
-  throw InputError(unknown_name_message("Fresnel model", name, registry.names()));
 }
 
 std::vector<float> random_cosines(int count) {
@@ -130,7 +123,7 @@ std::vector<FresnelCost> fresnel_costs(const std::vector<std::string>& models,
   const LatticeIndex index = on_lattice(table, WavelengthLattice());
   std::vector<NamedCostKernel> kernels;
   for (const std::string& name : with_exact(models)) {
-    kernels.push_back({name, kernel_of(model_named(name), index)});
+    kernels.push_back({name, kernel_of(fresnel_model(name), index)});
   }
   kernels.push_back({"", kernel_of(empty_fresnel_model(), index)});
   return measure_costs(kernels, options);
@@ -141,7 +134,7 @@ std::vector<FresnelCost> fresnel_single_costs(const std::vector<std::string>& mo
                                               const FresnelCostOptions& options) {
   std::vector<NamedCostKernel> kernels;
   for (const std::string& name : with_exact(models)) {
-    kernels.push_back({name, single_kernel_of(model_named(name), table)});
+    kernels.push_back({name, single_kernel_of(fresnel_model(name), table)});
   }
   return measure_costs(kernels, options);
 }

@@ -20,12 +20,6 @@ std::vector<double> steps(double first, double last, double step) {
   return values;
 }
 
-const FresnelModel& model_named(const std::string& name) {
-  const auto& models = Registry<FresnelModel>::instance();
-  if (const FresnelModel* model = models.find(name)) return *model;
-  throw InputError(unknown_name_message("Fresnel model", name, models.names()));
-}
-
 // "main/Au/Johnson" to "main/Au/"; nothing for what is no catalogue id.
 std::string book_of(const std::string& name) {
   if (std::count(name.begin(), name.end(), '/') != 2) return "";
@@ -36,7 +30,7 @@ FresnelModelStudy study_model(const std::string& name, const FresnelMaterialStud
                               const FresnelStudyOptions& options) {
   FresnelModelStudy study;
   study.model = name;
-  study.curves = fresnel_curves(model_named(name), *material.table, options.grid);
+  study.curves = fresnel_curves(fresnel_model(name), *material.table, options.grid);
   study.error = fresnel_errors(study.curves.unpolarised, material.exact.unpolarised, options.grid);
   study.colours = fresnel_colours(study.curves, options.grid, options.viewing);
   study.colour_error =
@@ -96,7 +90,7 @@ std::vector<FresnelMaterialStudy> study_fresnel_models(
     const FresnelStudyOptions& options,
     const std::function<void(std::size_t, std::size_t)>& after_each) {
   std::vector<FresnelMaterialStudy> studies;
-  for (const std::string& name : options.models) model_named(name);
+  for (const std::string& name : options.models) fresnel_model(name);
   for (const std::string& name : options.tables) {
     FresnelMaterialStudy& study = studies.emplace_back();
     study.table = find_index_table(name);

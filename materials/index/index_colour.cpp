@@ -13,13 +13,6 @@
 namespace karat {
 namespace {
 
-const FresnelModel& model_of(const std::string& name) {
-  const auto& models = Registry<FresnelModel>::instance();
-  const FresnelModel* model = models.find(name);
-  if (!model) throw InputError(unknown_name_message("Fresnel model", name, models.names()));
-  return *model;
-}
-
 // Negative n or k, which some tables have, describe no surface.
 ComplexIndex physical_index(const IndexTable& table, double nm) {
   const ComplexIndex index = table.at(nm);
@@ -58,7 +51,7 @@ IndexColour index_colour(const IndexTable& table, const ColourConditions& condit
                     table.provenance().name, table.range().min_nm, table.range().max_nm,
                     kVisible.min_nm, kVisible.max_nm));
   }
-  const FresnelModel& model = model_of(conditions.fresnel);
+  const FresnelModel& model = fresnel_model(conditions.fresnel);
   const auto reflectance = [&](double nm) {
     return model.evaluate(physical_index(table, nm), conditions.cos_theta).unpolarised;
   };

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/karat/as_usage.h"
 #include "apps/karat/command.h"
 #include "apps/karat/fresnel/fit_scene.h"
 #include "apps/karat/fresnel/named_values.h"
@@ -54,16 +55,6 @@ std::vector<double> wavelengths_of(const std::string& text) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
   return list;
-}
-
-// The same as wrong usage; the option's name is said by who reports it.
-std::string check_wavelengths(const std::string& text) {
-  try {
-    wavelengths_of(text);
-    return "";
-  } catch (const InputError& error) {
-    return std::string(error.what()).substr(std::string("--nm: ").size());
-  }
 }
 
 OrderedJson fit_json(const FresnelFits& fits, std::size_t i) {
@@ -197,8 +188,7 @@ class FresnelFitCommand final : public Command {
         ->required()
         ->check(check_model);
     command->add_option("--nm", o->wavelengths, "Wavelengths: FIRST:LAST:STEP, or a list 450,550")
-        ->capture_default_str()
-        ->check(check_wavelengths);
+        ->capture_default_str();
     command->add_flag("--over-range", o->over_range,
                       "One set of values for all wavelengths; some models have no other");
     command->add_option("--fix", o->fixed, "NAME=VALUE: a parameter that is not fitted")
@@ -217,7 +207,10 @@ class FresnelFitCommand final : public Command {
         "Least squares against the exact equations, unweighted over 0 to 89 degrees in steps of "
         "1.\n"
         "Example: karat fresnel fit main/Au/Johnson --model schlick-exponent --nm 400:700:50");
-    command->callback([&action, o] { action = [o] { return fit(*o); }; });
+    command->callback([&action, o] {
+      as_usage([&] { wavelengths_of(o->wavelengths); });
+      action = [o] { return fit(*o); };
+    });
   }
 };
 

@@ -56,11 +56,6 @@ std::string table_file(const std::string& name, const std::string& directory) {
   }
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return a == b || std::filesystem::equivalent(a, b, error);
-}
-
 // The checks of one scene.
 class SceneCheck {
  public:

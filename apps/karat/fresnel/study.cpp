@@ -9,6 +9,7 @@
 #include <regex>
 #include <tuple>
 
+#include "apps/karat/as_usage.h"
 #include "apps/karat/command.h"
 #include "apps/karat/fresnel/study_options.h"
 #include "apps/karat/fresnel/study_report.h"
@@ -70,14 +71,12 @@ std::string model_error(std::string& name) {
 
 // What can be told wrong before any table is read is wrong usage.
 void check_usage(const Options& options) {
-  try {
+  as_usage([&] {
     parse_steps("--nm", options.nm, 1.0, 1e6);
     parse_steps("--angles", options.angles, 0.0, 90.0);
     parse_size(options.render_size);
     require_distinct("--models", options.models);
-  } catch (const InputError& error) {
-    throw CLI::ValidationError(error.what());
-  }
+  });
   if (options.folder.empty()) throw CLI::ValidationError("--output: needs the name of a folder");
 }
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 
+#include "apps/karat/as_usage.h"
 #include "apps/karat/command.h"
 #include "apps/karat/json_output.h"
 #include "apps/karat/swatch.h"
@@ -185,12 +186,10 @@ void require_reference(const Options& options) {
 
 // An option that means nothing is wrong usage, whatever the file holds.
 void read_import_options(Options& options) {
-  try {
+  as_usage([&] {
     if (!options.unit.empty()) options.import.unit = unit_named(options.unit);
     options.import.columns = column_names(options.columns);
-  } catch (const InputError& error) {
-    throw CLI::ValidationError(error.what());
-  }
+  });
 }
 
 class NkAdd final : public Command {
